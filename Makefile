@@ -1,0 +1,93 @@
+# `make demo` and `make test` need git, python3, g++ and make; they fetch everything else.
+# What is done is not done again: the stamps below depend on the sources.
+
+PYTHON ?= python3
+JOBS   := $(shell nproc 2>/dev/null || echo 2)
+
+export CMAKE_BUILD_PARALLEL_LEVEL := $(JOBS)
+export CTEST_PARALLEL_LEVEL := $(JOBS)
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+VENV    := .venv
+PY      := $(VENV)/bin/python
+PIP     := $(PY) -m pip install --quiet
+
+# Folders count as well: their time changes when a file is deleted.
+SOURCES := CMakeLists.txt pyproject.toml README.md \
+           $(shell find cmake cpp python -name __pycache__ -prune -o -print)
+
+.PHONY: help demo test test-cpp test-python bench sanitize lint format stubs clean
+.DELETE_ON_ERROR:
+
+help: ## list the targets
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
+
+demo: $(VENV)/package ## solve and show a first example
+	@$(PY) examples/demo.py
+
+test: test-cpp test-python ## run the C++ and the Python tests
+
+test-cpp: build/tests/configured ## run the C++ tests
+	@cmake --build --preset dev
+	@ctest --preset dev
+
+test-python: $(VENV)/package $(VENV)/test-tools ## run the Python tests
+	@$(PY) -m pytest
+
+bench: build/system-packages ## run the benchmarks
+	@cmake --preset release
+	@cmake --build --preset release --target bench
+
+sanitize: build/system-packages ## run the C++ tests under the sanitizers
+	@cmake --workflow --preset asan
+
+CXX_FILES = $(shell find cpp tests/cpp benchmarks examples -name '*.[ch]pp')
+
+lint: $(VENV)/dev-tools ## check style and types
+	@$(VENV)/bin/ruff check
+	@$(VENV)/bin/ruff format --check
+	@$(VENV)/bin/clang-format --dry-run -Werror $(CXX_FILES)
+	@$(VENV)/bin/mypy
+
+format: $(VENV)/dev-tools ## format all sources in place
+	@$(VENV)/bin/ruff check --fix
+	@$(VENV)/bin/ruff format
+	@$(VENV)/bin/clang-format -i $(CXX_FILES)
+
+stubs: $(VENV)/package $(VENV)/dev-tools ## regenerate python/pyrod/_core.pyi
+	@$(PY) -m pybind11_stubgen --exit-code --output-dir python pyrod._core
+
+clean: ## remove everything these targets made
+	rm -rf build dist $(VENV) .hypothesis .mypy_cache .pytest_cache .ruff_cache
+
+# Stamps ------------------------------------------------------------------------------------------
+
+build/system-packages: scripts/system-packages.sh
+	@PYTHON=$(PYTHON) scripts/system-packages.sh
+	@mkdir -p build && touch $@
+
+build/tests/configured: CMakePresets.json build/system-packages
+	@cmake --preset dev
+	@touch $@
+
+$(VENV)/build-tools: build/system-packages
+	@echo "Creating $(VENV)"
+	@$(PYTHON) -m venv --clear $(VENV)
+	@$(PIP) scikit-build-core pybind11
+	@touch $@
+
+# The build folder is kept and the build tools are fixed, so that only changed files are compiled.
+$(VENV)/package: $(VENV)/build-tools $(SOURCES)
+	@echo "Building and installing pyrod into $(VENV)"
+	@$(PIP) --no-build-isolation --check-build-dependencies \
+	  --config-settings=build-dir=build/python '.[plot]'
+	@touch $@
+
+# pyrod is there already: these only add the tools that its extras name.
+$(VENV)/test-tools: pyproject.toml $(VENV)/build-tools | $(VENV)/package
+	@$(PIP) 'pyrod[test]'
+	@touch $@
+
+$(VENV)/dev-tools: pyproject.toml $(VENV)/build-tools | $(VENV)/package
+	@$(PIP) 'pyrod[dev]'
+	@touch $@
