@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The few names for small vectors and matrices that every header uses.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pyrod {
+
+template <int N>
+using Vec = Eigen::Matrix<double, N, 1>;
+template <int M, int N = M>
+using Mat = Eigen::Matrix<double, M, N>;
+using Vec3 = Vec<3>;
+using Mat3 = Mat<3>;
+using Vector = Eigen::VectorXd;
+
+/// One row per vertex or edge, contiguous: what NumPy calls an (n, N) array.
+template <int N>
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
+}  // namespace pyrod

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Rotations of the plane by one angle, under the names that spatial rotations have.
+///
+/// The plane is that of the directors a1 and a3: planar vectors are spatial ones without component 2,
+/// and the angle turns about e2, which takes e3 towards e1.
+#pragma once
+
+#include <pyrod/core/types.hpp>
+
+#include <cmath>
+
+namespace pyrod {
+
+using Vec1 = Vec<1>;
+using Vec2 = Vec<2>;
+
+/// A turn that knows how often it went round: the angle is not reduced.
+struct Angle {
+  double radians = 0;
+
+  static Angle Identity() { return {}; }
+  Angle conjugate() const { return {-radians}; }
+  friend Angle operator*(Angle a, Angle b) { return {a.radians + b.radians}; }
+};
+
+inline Angle exp(const Vec1& φ) { return {φ[0]}; }
+inline Vec1 log(Angle a) { return Vec1(a.radians); }
+
+inline Mat<2> matrix(Angle a) {
+  const double c = std::cos(a.radians), s = std::sin(a.radians);
+  Mat<2> R;
+  R << c, s, -s, c;
+  return R;
+}
+
+/// R v.
+inline Vec2 rotate(Angle a, const Vec2& v) {
+  const double c = std::cos(a.radians), s = std::sin(a.radians);
+  return {c * v[0] + s * v[1], c * v[1] - s * v[0]};
+}
+
+/// Rᵀ v.
+inline Vec2 unrotate(Angle a, const Vec2& v) { return rotate(a.conjugate(), v); }
+
+/// The turn with tan(ϑ/4) = q, and back.
+inline Angle cayley(const Vec1& q) { return {4 * std::atan(q[0])}; }
+inline Vec1 inverse_cayley(Angle a) { return Vec1(std::tan(a.radians / 4)); }
+
+inline Angle moved(Angle a, const Vec1& φ) { return {a.radians + φ[0]}; }
+inline Angle between(Angle a, Angle b, double fraction = 0.5) {
+  return {a.radians + fraction * (b.radians - a.radians)};
+}
+
+}  // namespace pyrod

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The only home of small angles: entire (or nearly entire) functions of a rotation angle,
+/// each accurate to rounding for every angle, so that no other file needs a threshold.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace pyrod {
+
+/// sin θ / θ.
+inline double sinc(double θ) { return θ == 0 ? 1 : std::sin(θ) / θ; }
+
+/// (1 − cos θ)/θ², from the half angle: no cancellation anywhere.
+inline double versinc(double θ) {
+  const double s = sinc(θ / 2);
+  return s * s / 2;
+}
+
+namespace series {
+
+/// Σ a[k] xᵏ.
+template <std::size_t N>
+constexpr double horner(const std::array<double, N>& a, double x) {
+  double sum = a[N - 1];
+  for (std::size_t k = N - 1; k-- > 0;) sum = sum * x + a[k];
+  return sum;
+}
+
+}  // namespace series
+
+/// (θ − sin θ)/θ³. Taylor below one radian, where the difference would cancel.
+inline double sine_defect(double θ) {
+  constexpr std::array a{1. / 6,          -1. / 120,          1. / 5040,           -1. / 362880,
+                         1. / 39916800,   -1. / 6227020800,   1. / 1307674368000., -1. / 355687428096000.,
+                         1. / 1.21645100408832e17};
+  const double x = θ * θ;
+  return x < 1 ? series::horner(a, x) : (θ - std::sin(θ)) / (x * θ);
+}
+
+/// The coefficient c of the logarithm's differential and its slope, both even functions of θ:
+///   c(θ) = (1 − (θ/2) cot(θ/2))/θ²,   slope = c'(θ)/θ.
+struct LogCoefficients {
+  double c, slope;
+};
+
+/// Valid for |θ| < 2π. With cot's partial fractions c(θ) = Σ_{k≥1} 2/((2πk)² − θ²): the first term,
+/// which carries the pole at 2π, is kept as it is, the others are summed as a power series in θ² with
+/// radius (4π)². All terms are positive, so nothing cancels. Beyond π the closed form is as good.
+inline LogCoefficients log_coefficients(double θ) {
+  // 2 (ζ(2m+2) − 1)/(2π)^(2m+2)
+  constexpr std::array a{
+      3.26727415121644476e-2,  1.05641107053346990e-4,  5.63737028287684530e-7,
+      3.35714192665745136e-9,  2.07428729041660455e-11, 1.30004821386989740e-13,
+      8.19605205569100860e-16, 5.18011819616972431e-18, 3.27753917470179184e-20,
+      2.07474018785936045e-22, 1.31362418071665338e-24, 8.31800319518926409e-27,
+      5.26726299683423087e-29, 3.33548429882214433e-31, 2.11220633231838855e-33,
+      1.33756640932152445e-35};
+  constexpr auto slopes = [](const auto& a) {  // of Σ a[m] xᵐ with x = θ²: c'/θ = 2 dc/dx
+    std::array<double, std::tuple_size_v<std::decay_t<decltype(a)>> - 1> b{};
+    for (std::size_t m = 0; m < b.size(); ++m) b[m] = 2 * double(m + 1) * a[m + 1];
+    return b;
+  };
+  constexpr std::array few{a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7]};
+  constexpr auto b = slopes(a);
+  constexpr auto few_b = slopes(few);
+  constexpr double π = std::numbers::pi;
+
+  const double x = θ * θ;
+  if (x > π * π) {
+    const double half = θ / 2, cot = 1 / std::tan(half), sin = std::sin(half);
+    const double xcot = half * cot, ratio = half / sin;
+    return {(1 - xcot) / x, (xcot + ratio * ratio - 2) / (x * x)};
+  }
+  const double pole = 1 / (4 * π * π - x);
+  if (x < 0.5) return {2 * pole + series::horner(few, x), 4 * pole * pole + series::horner(few_b, x)};
+  return {2 * pole + series::horner(a, x), 4 * pole * pole + series::horner(b, x)};
+}
+
+/// Angle of the point (cosine, sine) divided by its sine part: 2·half_angle_ratio(|v|, w) turns the
+/// vector part v of a unit quaternion into its rotation vector. sine ≥ 0; result in units of 1/sine.
+inline double half_angle_ratio(double sine, double cosine) {
+  return sine > 0 ? std::atan2(sine, cosine) / sine : 1 / cosine;
+}
+
+}  // namespace pyrod

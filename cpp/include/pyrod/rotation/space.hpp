@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Plane or space, decided by a type: how many numbers a position and a turn take.
+#pragma once
+
+#include <pyrod/rotation/differential.hpp>
+
+namespace pyrod {
+
+struct Planar {
+  static constexpr int dim = 2;   ///< components of a position: 1 and 3
+  static constexpr int spin = 1;  ///< components of a rotation vector: 2
+  using Rotation = Angle;
+  using Differential = PlanarLogDifferential;
+};
+
+struct Spatial {
+  static constexpr int dim = 3;
+  static constexpr int spin = 3;
+  using Rotation = Quaternion;
+  using Differential = LogDifferential;
+};
+
+/// A position, force or strain Γ.
+template <class Space>
+using Point = Vec<Space::dim>;
+/// A rotation vector, curvature K or moment.
+template <class Space>
+using Spin = Vec<Space::spin>;
+
+/// Unit vector along the axis of the rod, the third director's own components.
+template <class Space>
+Point<Space> axis() {
+  return Point<Space>::Unit(Space::dim - 1);
+}
+
+inline Vec3 cross(const Vec3& a, const Vec3& b) { return a.cross(b); }
+/// Component 2 of the spatial product.
+inline Vec1 cross(const Vec2& a, const Vec2& b) { return Vec1(a[1] * b[0] - a[0] * b[1]); }
+
+/// skew(a) φ = a × φ for a rotation vector φ: dim × spin.
+inline Vec2 skew(const Vec2& a) { return {-a[1], a[0]}; }
+/// m × φ between rotation vectors.
+inline Mat3 spin_skew(const Vec3& m) { return skew(m); }
+inline Mat<1> spin_skew(const Vec1&) { return Mat<1>::Zero(); }
+
+/// Spin components from the frame to space. In the plane they are the same.
+inline Vec3 rotate_spin(const Quaternion& q, const Vec3& m) { return rotate(q, m); }
+inline Vec1 rotate_spin(Angle, const Vec1& m) { return m; }
+
+}  // namespace pyrod

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Rotations of space as unit quaternions: exponential, logarithm, Cayley map.
+///
+/// A quaternion and its negative are the same frame but not the same turn: the logarithm reaches up
+/// to 2π (Linn, note 9), so no function here ever flips a sign.
+#pragma once
+
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/series.hpp>
+
+#include <Eigen/Geometry>
+
+namespace pyrod {
+
+using Quaternion = Eigen::Quaterniond;
+
+inline Quaternion quaternion(double real, const Vec3& imaginary) {
+  return {real, imaginary.x(), imaginary.y(), imaginary.z()};
+}
+
+/// Cross product matrix: skew(a) b = a × b.
+inline Mat3 skew(const Vec3& a) {
+  Mat3 A;
+  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return A;
+}
+
+/// Unit quaternion that turns by the rotation vector φ [rad].
+inline Quaternion exp(const Vec3& φ) {
+  const double half = φ.norm() / 2;
+  return quaternion(std::cos(half), sinc(half) / 2 * φ);
+}
+
+/// Rotation vector of a unit quaternion, |log p| in [0, 2π]: Linn's 2 log p̂ = ϑ Û.
+inline Vec3 log(const Quaternion& p) {
+  return 2 * half_angle_ratio(p.vec().norm(), p.w()) * p.vec();
+}
+
+/// R itself, with the directors a1, a2, a3 as columns.
+inline Mat3 matrix(const Quaternion& q) { return q.toRotationMatrix(); }
+
+/// R v: from the frame's components to space.
+inline Vec3 rotate(const Quaternion& q, const Vec3& v) {
+  const Vec3 t = 2 * q.vec().cross(v);
+  return v + q.w() * t + q.vec().cross(t);
+}
+
+/// Rᵀ v: from space to the frame's components.
+inline Vec3 unrotate(const Quaternion& q, const Vec3& v) {
+  const Vec3 t = 2 * q.vec().cross(v);
+  return v - q.w() * t + q.vec().cross(t);
+}
+
+/// (1 + q)/(1 − q): the unit quaternion whose angle ϑ has tan(ϑ/4) = |q| (Linn, note 3).
+inline Quaternion cayley(const Vec3& q) {
+  const double x = q.squaredNorm(), scale = 1 / (1 + x);
+  return quaternion((1 - x) * scale, 2 * scale * q);
+}
+
+/// (p − 1)/(p + 1), defined unless p = −1 (Linn, note 3).
+inline Vec3 inverse_cayley(const Quaternion& p) { return p.vec() / (1 + p.w()); }
+
+/// q exp(φ), brought back to unit length so that a long sequence of moves does not drift.
+inline Quaternion moved(const Quaternion& q, const Vec3& φ) { return (q * exp(φ)).normalized(); }
+
+/// The rotation from a towards b by the given fraction of the way, along the shortest great circle
+/// that the turn conj(a) b, with its sign, belongs to.
+inline Quaternion between(const Quaternion& a, const Quaternion& b, double fraction = 0.5) {
+  return moved(a, fraction * log(a.conjugate() * b));
+}
+
+}  // namespace pyrod

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Newton's method on a manifold. It knows no rods.
+///
+/// Far from a solution steps are made with the convex Hessian, near it with the exact one; the full
+/// step is tried first and nearly always taken (docs/theory.md, "The solver").
+#pragma once
+
+#include <pyrod/solve/options.hpp>
+#include <pyrod/solve/problem.hpp>
+#include <pyrod/solve/skew_solver.hpp>
+#include <pyrod/solve/status.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace pyrod {
+
+/// One line of a solve's record.
+struct Iteration {
+  Curvature curvature;    ///< Hessian the step was made with
+  double energy;          ///< before the step
+  double residual;        ///< largest component of the gradient before the step
+  double step;            ///< largest component [rad] of the step
+  double fraction;        ///< part of the step that was taken, 1 unless it had to be cut
+  double shift;           ///< σ added to the Hessian's diagonal, 0 unless it had to be
+  int factorisations;     ///< 1 unless shifts were tried
+};
+
+template <class State>
+struct Result {
+  State state;
+  Status status = Status::out_of_iterations;
+  std::vector<Iteration> record;
+  double energy = 0, residual = 0;  ///< at `state`
+  int index = -1;  ///< negative eigenvalues of the Hessian, once converged; −1: unknown, or no potential
+
+  int iterations() const { return int(record.size()); }
+  bool converged() const { return status == Status::converged; }
+};
+
+/// Sees each iteration as it is done; returns false to stop the solve.
+using Trace = std::function<bool(const Iteration&)>;
+
+template <Problem P>
+class Newton {
+ public:
+  using State = typename P::State;
+
+  explicit Newton(const P& problem, Options options = {}, Trace trace = {})
+      : problem_(problem),
+        options_(options),
+        trace_(std::move(trace)),
+        here_(problem.linearisation()),
+        factor_(here_.hessian),
+        δ_(here_.gradient.size()),
+        trial_(δ_.size()) {
+    options_.check();
+  }
+
+  Newton(const Newton&) = delete;
+  Newton& operator=(const Newton&) = delete;
+
+  /// `first`: the Hessian of the first step; exact when the start is known to be near.
+  Result<State> solve(State start, Curvature first = Curvature::convex) {
+    x_ = std::move(start);
+    curvature_ = first;
+    Result<State> result;
+    problem_.linearise(x_, curvature_, here_);
+    result.status = iterate(result);
+    result.state = std::move(x_);
+    result.energy = here_.energy;
+    result.residual = residual();
+    result.index = result.converged() && problem_.conservative() ? inertia_.negative : -1;
+    return result;
+  }
+
+ private:
+  Status iterate(Result<State>& result) {
+    while (result.iterations() < options_.max_iterations) {
+      Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
+      if (!find_step(now)) return Status::not_finite;
+      const bool last =
+          curvature_ == Curvature::exact && now.shift == 0 && now.step <= options_.tolerance;
+      const bool found = search(now, last);
+      result.record.push_back(now);
+      if (!found) return Status::stalled;
+      if (!std::isfinite(here_.energy)) return Status::not_finite;
+      if (last) return Status::converged;
+      if (trace_ && !trace_(now)) return Status::interrupted;
+    }
+    return Status::out_of_iterations;
+  }
+
+  double residual() const { return here_.gradient.template lpNorm<Eigen::Infinity>(); }
+
+  /// δ from the present linearisation: the Newton step, or a shifted one where the Hessian is no
+  /// guide. False if numbers fail.
+  bool find_step(Iteration& now) {
+    factorise(0, now);
+    if (trusted(now)) {
+      if (curvature_ == Curvature::exact && !problem_.conservative()) {
+        correct_skew();
+        now.step = δ_.template lpNorm<Eigen::Infinity>();
+      }
+      if (trusted(now)) return δ_.allFinite();
+    }
+    double σ = 0.3 * residual() / options_.trust;
+    for (int i = 0; i < 60 && std::isfinite(σ); ++i, σ *= 3) {
+      factorise(σ, now);
+      if (trusted(now) && inertia_.negative == 0) return δ_.allFinite();
+    }
+    return false;
+  }
+
+  /// δ = −(H + σI)⁻¹ g.
+  void factorise(double σ, Iteration& now) {
+    inertia_ = factor_.factorise(σ);
+    ++now.factorisations;
+    now.shift = σ;
+    now.step = std::numeric_limits<double>::infinity();
+    if (inertia_.broken > 0) return;
+    δ_ = -here_.gradient;
+    factor_.solve(δ_, δ_);
+    now.step = δ_.template lpNorm<Eigen::Infinity>();
+  }
+
+  /// A step below the tolerance is taken whatever the inertia: the state is an equilibrium already.
+  /// Without a potential the inertia of the symmetric part decides nothing.
+  bool trusted(const Iteration& now) const {
+    if (!std::isfinite(now.step)) return false;
+    if (curvature_ == Curvature::convex || now.step <= options_.tolerance) return true;
+    return now.step <= options_.trust && (inertia_.negative == 0 || !problem_.conservative());
+  }
+
+  void correct_skew() {
+    SkewCorrected(factor_, [this](const Vector& v, Vector& w) { problem_.multiply_skew(x_, v, w); },
+                  δ_.size())
+        .correct(δ_);
+  }
+
+  /// Full step first, then ever smaller ones until one is acceptable; `last` needs no test. If none
+  /// is, the state stays where it was.
+  bool search(Iteration& now, bool last) {
+    const double energy = here_.energy, magnitude = here_.magnitude;
+    const double slope = here_.gradient.dot(δ_);
+    std::swap(x_, from_);
+    for (now.fraction = 1; now.fraction > 1e-8;) {
+      if (now.fraction * now.step < options_.near) curvature_ = Curvature::exact;
+      trial_ = now.fraction * δ_;
+      problem_.move(from_, trial_, x_);
+      problem_.linearise(x_, curvature_, here_);
+      const double rounding = 1e-13 * (magnitude + here_.magnitude);
+      const double goal = energy + 1e-4 * now.fraction * slope + rounding;
+      if (last) return true;
+      if (problem_.conservative() ? here_.energy <= goal : progress(slope, now.fraction)) return true;
+      now.fraction *= shrink(here_.energy - energy, slope, now.fraction);
+    }
+    std::swap(x_, from_);
+    problem_.linearise(x_, curvature_, here_);
+    return false;
+  }
+
+  /// Without a potential: the forces' work along the step must not grow, or the Newton step at the
+  /// new state, measured with the old tangent, must be shorter.
+  bool progress(double slope, double fraction) {
+    if (!here_.gradient.allFinite()) return false;
+    if (here_.gradient.dot(δ_) <= 0.9 * std::abs(slope)) return true;
+    factor_.solve(here_.gradient, trial_);
+    return trial_.norm() <= (1 - fraction / 4) * δ_.norm();
+  }
+
+  /// Where the parabola through the two energies and the slope has its minimum, within bounds.
+  double shrink(double rise, double slope, double fraction) const {
+    if (!problem_.conservative() || !std::isfinite(rise)) return 0.5;
+    const double minimum = -slope * fraction / (2 * (rise - slope * fraction));
+    return std::clamp(minimum, 0.1, 0.5);
+  }
+
+  const P& problem_;
+  Options options_;
+  Trace trace_;
+  LinearisationOf<P> here_;
+  Cholesky factor_;
+  Inertia inertia_;
+  State x_, from_;
+  Vector δ_, trial_;
+  Curvature curvature_ = Curvature::convex;
+};
+
+}  // namespace pyrod

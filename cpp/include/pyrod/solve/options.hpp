@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file What a user may tune in a solve, listed once: bindings and prints are made from `fields`.
+#pragma once
+
+#include <pyrod/core/require.hpp>
+
+#include <tuple>
+
+namespace pyrod {
+
+template <class Owner, class T>
+struct Field {
+  const char* name;
+  T Owner::*member;
+  const char* doc;
+};
+
+struct Options {
+  int max_iterations = 100;
+  double tolerance = 1e-8;
+  double trust = 2.0;
+  double near = 0.5;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field<Options, int>{"max_iterations", &Options::max_iterations,
+                            "linear solves before giving up"},
+        Field<Options, double>{"tolerance", &Options::tolerance,
+                               "largest component [rad] of the last full Newton step; the error left "
+                               "is of the order of its square"},
+        Field<Options, double>{"trust", &Options::trust,
+                               "longest step [rad] taken on the word of the exact Hessian"},
+        Field<Options, double>{"near", &Options::near,
+                               "steps [rad] below which the exact Hessian replaces the convex one"},
+    };
+  }
+
+  void check() const {
+    require(max_iterations > 0, "max_iterations: must be at least 1, got ", max_iterations);
+    require(tolerance > 0 && tolerance <= 1e-3, "tolerance: must lie in (0, 1e-3] rad, got ",
+            tolerance);
+    require(trust > 0, "trust: must be positive, got ", trust);
+    require(near >= 0, "near: must not be negative, got ", near);
+  }
+};
+
+}  // namespace pyrod

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Newton systems that are not symmetric, solved with the factor of their symmetric part.
+#pragma once
+
+#include <pyrod/sparse/cholesky.hpp>
+
+#include <Eigen/SparseCore>
+#include <unsupported/Eigen/IterativeSolvers>
+
+#include <functional>
+
+namespace pyrod {
+class SkewCorrected;
+}
+
+namespace Eigen::internal {
+template <>
+struct traits<pyrod::SkewCorrected> : traits<SparseMatrix<double>> {};
+}  // namespace Eigen::internal
+
+namespace pyrod {
+
+/// The operator I + H⁻¹ Z, with H factorised and Z skew. A dead couple on one edge gives Z rank 2, so
+/// that GMRES ends after three products; couples along the rod give a compact operator, and few more.
+class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
+ public:
+  using Scalar = double;
+  using RealScalar = double;
+  using StorageIndex = int;
+  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
+
+  SkewCorrected(Cholesky& H, std::function<void(const Vector&, Vector&)> Z, Eigen::Index size)
+      : H_(&H), Z_(std::move(Z)), size_(size) {}
+  Eigen::Index rows() const { return size_; }
+  Eigen::Index cols() const { return size_; }
+
+  template <class Right>
+  Eigen::Product<SkewCorrected, Right, Eigen::AliasFreeProduct> operator*(
+      const Eigen::MatrixBase<Right>& x) const {
+    return {*this, x.derived()};
+  }
+
+  void apply(const Vector& x, Vector& out) const {
+    Z_(x, out);
+    H_->solve(out, out);
+    out += x;
+  }
+
+  /// Overwrites δ = H⁻¹ b by the solution of (H + Z) δ = b.
+  void correct(Vector& δ) const {
+    Eigen::GMRES<SkewCorrected, Eigen::IdentityPreconditioner> gmres(*this);
+    gmres.setTolerance(1e-13);
+    gmres.setMaxIterations(100);
+    δ = gmres.solveWithGuess(δ, δ).eval();
+  }
+
+ private:
+  Cholesky* H_;
+  std::function<void(const Vector&, Vector&)> Z_;
+  Eigen::Index size_;
+};
+
+}  // namespace pyrod
+
+namespace Eigen::internal {
+template <class Right>
+struct generic_product_impl<pyrod::SkewCorrected, Right, SparseShape, DenseShape, GemvProduct>
+    : generic_product_impl_base<pyrod::SkewCorrected, Right,
+                                generic_product_impl<pyrod::SkewCorrected, Right>> {
+  template <class Out>
+  static void scaleAndAddTo(Out& out, const pyrod::SkewCorrected& A, const Right& x,
+                            const double& factor) {
+    pyrod::Vector product(x.size());
+    A.apply(x, product);
+    out += factor * product;
+  }
+};
+}  // namespace Eigen::internal

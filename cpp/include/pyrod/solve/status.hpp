@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file How a solve ended, in a word and in a sentence.
+#pragma once
+
+#include <string_view>
+
+namespace pyrod {
+
+enum class Status { converged, out_of_iterations, stalled, not_finite, interrupted };
+
+constexpr std::string_view name(Status status) {
+  switch (status) {
+    case Status::converged: return "converged";
+    case Status::out_of_iterations: return "out_of_iterations";
+    case Status::stalled: return "stalled";
+    case Status::not_finite: return "not_finite";
+    case Status::interrupted: return "interrupted";
+  }
+  return "unknown";
+}
+
+/// What happened and what to try.
+constexpr std::string_view advice(Status status) {
+  switch (status) {
+    case Status::converged: return "the last full Newton step was below the tolerance";
+    case Status::out_of_iterations:
+      return "max_iterations were used up: allow more, use more edges where the rod turns most, or "
+             "apply the loads in steps, each started from the result before";
+    case Status::stalled:
+      return "no step along the search direction made progress: apply the loads in steps, each "
+             "started from the result before; with dead moments in space there may be no "
+             "equilibrium near";
+    case Status::not_finite:
+      return "numbers overflowed or became undefined: check the magnitudes of loads and stiffnesses, "
+             "and use more edges if the rod turns by 2 pi or more from one edge to the next";
+    case Status::interrupted: return "stopped on request; the last iterate is kept";
+  }
+  return "";
+}
+
+}  // namespace pyrod

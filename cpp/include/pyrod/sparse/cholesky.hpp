@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file CHOLMOD's simplicial LDLᵀ, owned: analysed once, factorised often, with the inertia.
+///
+/// Only functions of CHOLMOD's Core/Utility and Cholesky modules are called (LGPL). CHOLMOD reports
+/// trouble sparingly: an indefinite matrix is factorised without a word, and so is one with NaN. So
+/// every outcome is looked at here.
+#pragma once
+
+#include <pyrod/sparse/symmetric.hpp>
+
+#include <cholmod.h>
+
+#include <cmath>
+#include <memory>
+#include <new>
+
+namespace pyrod {
+
+/// Numbers of negative, and of zero or non-finite, pivots: the inertia of the factorised matrix.
+struct Inertia {
+  int negative = 0, broken = 0;
+};
+
+class Cholesky {
+ public:
+  /// Symbolic factorisation in the given numbering. Keeps a pointer to `A`, whose pattern must not
+  /// change and whose values are read by `factorise`.
+  explicit Cholesky(const SymmetricMatrix& A) : matrix_(&A) {
+    cholmod_start(&common_);
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_NATURAL;
+    common_.postorder = false;
+    common_.supernodal = CHOLMOD_SIMPLICIAL;
+    common_.final_ll = false;
+    common_.error_handler = nullptr;
+    common_.print = 0;
+    auto view = sparse_view();
+    factor_ = cholmod_analyze(&view, &common_);
+    if (!factor_) {
+      cholmod_finish(&common_);
+      throw std::bad_alloc();
+    }
+  }
+  Cholesky(const Cholesky&) = delete;
+  Cholesky& operator=(const Cholesky&) = delete;
+  ~Cholesky() {
+    cholmod_free_dense(&solution_, &common_);
+    cholmod_free_dense(&work_y_, &common_);
+    cholmod_free_dense(&work_e_, &common_);
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_finish(&common_);
+  }
+
+  /// Factorises A + shift·I and returns its inertia.
+  Inertia factorise(double shift = 0) {
+    auto view = sparse_view();
+    double beta[2] = {shift, 0};
+    cholmod_factorize_p(&view, beta, nullptr, 0, factor_, &common_);
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    return inertia();
+  }
+
+  /// Solves with the last factor; `b` and the result have A's size. `x` may be `b`.
+  void solve(const Vector& b, Vector& x) {
+    cholmod_dense right{};
+    right.nrow = right.d = right.nzmax = std::size_t(b.size());
+    right.ncol = 1;
+    right.x = const_cast<double*>(b.data());
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    const int done = cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr,
+                                    &work_y_, &work_e_, &common_);
+    if (!done) throw std::bad_alloc();
+    x = Eigen::Map<const Vector>(static_cast<const double*>(solution_->x), b.size());
+  }
+
+  /// CHOLMOD's cheap estimate of the reciprocal condition number: smallest over largest pivot.
+  double reciprocal_condition() { return cholmod_rcond(factor_, &common_); }
+
+  /// Entries of the factor, to compare with the matrix's own: equal when there is no fill.
+  std::size_t factor_entries() const {
+    const auto* count = static_cast<const int*>(factor_->ColCount);
+    std::size_t sum = 0;
+    for (std::size_t k = 0; k < factor_->n; ++k) sum += std::size_t(count[k]);
+    return sum;
+  }
+
+ private:
+  cholmod_sparse sparse_view() const {
+    cholmod_sparse view{};
+    view.nrow = view.ncol = std::size_t(matrix_->size());
+    view.nzmax = matrix_->values.size();
+    view.p = const_cast<int*>(matrix_->starts.data());
+    view.i = const_cast<int*>(matrix_->rows.data());
+    view.x = const_cast<double*>(matrix_->values.data());
+    view.stype = 1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = view.packed = true;
+    return view;
+  }
+
+  Inertia inertia() const {
+    Inertia count;
+    const auto* starts = static_cast<const int*>(factor_->p);
+    const auto* values = static_cast<const double*>(factor_->x);
+    for (std::size_t k = 0; k < factor_->n; ++k) {
+      const double pivot = values[starts[k]];
+      if (!std::isfinite(pivot) || pivot == 0) ++count.broken;
+      else if (pivot < 0) ++count.negative;
+    }
+    return count;
+  }
+
+  const SymmetricMatrix* matrix_;
+  cholmod_common common_;
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
+};
+
+}  // namespace pyrod
