@@ -4,4 +4,4 @@
 
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/rod/section.hpp>
-#include <pyrod/statics/cantilever.hpp>
+#include <pyrod/statics/solve.hpp>

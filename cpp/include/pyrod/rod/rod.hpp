@@ -4,6 +4,8 @@
 
 #include <pyrod/curve/cosserat.hpp>
 
+#include <numbers>
+
 namespace pyrod {
 
 /// What a rod is made of. Stiffness and rest curvature may differ from place to place.
@@ -23,6 +25,25 @@ struct Rod {
   }
 
   int edges() const { return grid.edges(); }
+
+  /// Refuses what no rod can be made of, naming the place and the remedy.
+  void check() const {
+    const int n = edges();
+    require_count(Eigen::Index(bending.size()), n + 1, "bending", "one per vertex");
+    require_count(Eigen::Index(stretching.size()), n, "stretching", "one per edge");
+    require_count(Eigen::Index(K0.size()), n + 1, "K0", "one per vertex");
+    for (int j = 0; j <= n; ++j) {
+      require((bending[j].array() > 0).all() && bending[j].allFinite(), "bending[", j,
+              "]: stiffnesses must be positive and finite, got ", bending[j].transpose());
+      require(K0[j].allFinite(), "K0[", j, "]: expected finite numbers, got ", K0[j].transpose());
+      const double turn = grid.Δs(j) * K0[j].norm();
+      require(turn < std::numbers::pi, "K0[", j, "]: the rod at rest turns by ", turn,
+              " rad at this vertex; use more edges, so that neighbours turn by less than pi");
+    }
+    for (int j = 0; j < n; ++j)
+      require((stretching[j].array() > 0).all(), "stretching[", j,
+              "]: stiffnesses must be positive (infinite: rigid), got ", stretching[j].transpose());
+  }
 
   /// The stress-free shape, placed with its start at r0 in the frame q0.
   CosseratCurve<Space> at_rest(const Point<Space>& r0, const typename Space::Rotation& q0) const {

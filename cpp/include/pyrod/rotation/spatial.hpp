@@ -57,8 +57,11 @@ inline Quaternion cayley(const Vec3& q) {
   return quaternion((1 - x) * scale, 2 * scale * q);
 }
 
-/// (p − 1)/(p + 1), defined unless p = −1 (Linn, note 3).
-inline Vec3 inverse_cayley(const Quaternion& p) { return p.vec() / (1 + p.w()); }
+/// (p − 1)/(p + 1), defined unless p = −1 (Linn, note 3). Towards it 1 + w would cancel.
+inline Vec3 inverse_cayley(const Quaternion& p) {
+  if (p.w() >= 0) return p.vec() / (1 + p.w());
+  return (1 - p.w()) / p.vec().squaredNorm() * p.vec();
+}
 
 /// q exp(φ), brought back to unit length so that a long sequence of moves does not drift.
 inline Quaternion moved(const Quaternion& q, const Vec3& φ) { return (q * exp(φ)).normalized(); }

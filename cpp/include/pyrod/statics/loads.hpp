@@ -17,6 +17,9 @@ struct Loads {
   std::vector<Point<Space>> force;   ///< on the n + 1 vertices
   std::vector<Spin<Space>> couple;   ///< on the n edges
   Spin<Space> end_couple = Spin<Space>::Zero();
+  Spin<Space> start_couple = Spin<Space>::Zero();  ///< what falls to the start: no edge feels it
+  Point<Space> start_share = Point<Space>::Zero(), end_share = Point<Space>::Zero();
+  ///< what distributed forces put on the first and the last vertex
 
   explicit Loads(int edges)
       : force(edges + 1, Point<Space>::Zero()), couple(edges, Spin<Space>::Zero()) {}
@@ -32,8 +35,7 @@ struct Loads {
     force[j + 1] += t * F;
   }
 
-  /// A couple at arc length s, shared by the two edges whose centres are beside it. What falls to
-  /// the clamp does no work.
+  /// A couple at arc length s, shared by the two edges whose centres are beside it.
   void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
     s = grid.on_rod(s);
     const int n = grid.edges();
@@ -45,16 +47,19 @@ struct Loads {
     while (j < n && grid.centre(j) <= s) ++j;
     const double left = j == 0 ? 0 : grid.centre(j - 1);
     const double t = j == n ? 0 : (s - left) / (grid.centre(j) - left);
-    if (j > 0) couple[j - 1] += (1 - t) * M;
+    (j > 0 ? couple[j - 1] : start_couple) += (1 - t) * M;
     if (j < n) couple[j] += t * M;
   }
 
   /// Force per length f on each edge: half of it goes to either end of the edge.
   void add_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
-    for (int j = 0; j < grid.edges(); ++j) {
+    const int n = grid.edges();
+    for (int j = 0; j < n; ++j) {
       force[j] += grid.h(j) / 2 * f[j];
       force[j + 1] += grid.h(j) / 2 * f[j];
     }
+    start_share += grid.h(0) / 2 * f[0];
+    end_share += grid.h(n - 1) / 2 * f[n - 1];
   }
 
   /// Moment per length on each edge.
@@ -68,6 +73,18 @@ struct Loads {
     Point<Space> sum = Point<Space>::Zero();
     for (std::size_t j = n.size(); j-- > 0;) n[j] = sum += force[j + 1];
     return n;
+  }
+
+  /// n(s_j): the section force at the vertices, just inside the rod at its ends; where a point force
+  /// acts, between its values on either side.
+  std::vector<Point<Space>> vertex_forces(const Grid& grid) const {
+    const auto edge = section_forces();
+    const int n = grid.edges();
+    std::vector<Point<Space>> out{edge[0] + start_share};
+    for (int j = 1; j < n; ++j)
+      out.push_back((grid.h(j) * edge[j - 1] + grid.h(j - 1) * edge[j]) / (2 * grid.Δs(j)));
+    out.push_back(force[n] - end_share);
+    return out;
   }
 
   /// Σ of the couples behind vertex j: the section moments of a rod that no force acts on.

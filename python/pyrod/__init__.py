@@ -1,0 +1,37 @@
+"""Elastic rods, discretised geometrically: equilibria of Cosserat and Kirchhoff rods.
+
+SI units or any other consistent set. Vectors are arrays of three numbers, frames are unit
+quaternions ``(w, x, y, z)`` whose rotation matrix has the directors a1, a2, a3 as columns; a3 is the
+normal of the cross-section.
+"""
+
+from importlib.metadata import version as _version
+
+from pyrod import curve, rotation
+from pyrod._core import Options
+from pyrod.equilibrium import Equilibrium, solve
+from pyrod.errors import NotConverged, UnstableWarning
+from pyrod.rod import Rod
+from pyrod.scene import Clamp, DistributedForce, DistributedMoment, Force, Moment, Scene
+from pyrod.section import Material, Section
+
+__version__ = _version("pyrod")
+
+__all__ = [
+    "Clamp",
+    "DistributedForce",
+    "DistributedMoment",
+    "Equilibrium",
+    "Force",
+    "Material",
+    "Moment",
+    "NotConverged",
+    "Options",
+    "Rod",
+    "Scene",
+    "Section",
+    "UnstableWarning",
+    "curve",
+    "rotation",
+    "solve",
+]

@@ -1,0 +1,63 @@
+"""Discrete Cosserat curves: strains from positions and frames, and back (Linn 2020, sect. 6)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyrod import _core
+from pyrod._immutable import Array
+
+
+def strains(
+    edge_lengths: ArrayLike,
+    positions: ArrayLike,
+    frames: ArrayLike,
+    start_frame: ArrayLike | None = None,
+    end_frame: ArrayLike | None = None,
+) -> tuple[Array, Array]:
+    """Material strains of a framed curve, Linn (48) and (50).
+
+    Parameters
+    ----------
+    edge_lengths : (n,) reference lengths h of the edges.
+    positions : (n + 1, 3) vertices.
+    frames : (n, 4) unit quaternions, the frames of the edges. Signs matter: a turn may reach 2 pi.
+    start_frame, end_frame : (4,) frames that hold the ends; an end without one does not turn over
+        its half edge.
+
+    Returns
+    -------
+    K : (n + 1, 3) curvature at the vertices. Gamma : (n, 3) shear and stretch of the edges.
+    """
+    return _core.curve.strains(
+        np.asarray(edge_lengths, dtype=np.float64),
+        np.asarray(positions, dtype=np.float64),
+        np.asarray(frames, dtype=np.float64),
+        start_frame,
+        end_frame,
+    )
+
+
+def reconstruct(
+    edge_lengths: ArrayLike,
+    K: ArrayLike,
+    Gamma: ArrayLike | None = None,
+    position: ArrayLike = (0.0, 0.0, 0.0),
+    frame: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+) -> tuple[Array, Array, Array]:
+    """The curve with the given strains that starts at ``position`` in ``frame``.
+
+    The exact inverse of `strains`. Returns positions (n + 1, 3), frames (n, 4) and the frame of the
+    end (4,). ``Gamma`` defaults to (0, 0, 1) on every edge: neither sheared nor stretched.
+    """
+    h = np.asarray(edge_lengths, dtype=np.float64)
+    if Gamma is None:
+        Gamma = np.tile([0.0, 0.0, 1.0], (h.size, 1))
+    return _core.curve.reconstruct(
+        h,
+        np.asarray(K, dtype=np.float64),
+        np.asarray(Gamma, dtype=np.float64),
+        np.asarray(position, dtype=np.float64),
+        np.asarray(frame, dtype=np.float64),
+    )

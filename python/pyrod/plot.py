@@ -1,0 +1,73 @@
+"""Pictures of rods with matplotlib, which is imported when one is drawn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pyrod.rotation import rotate
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from pyrod.equilibrium import Equilibrium
+
+
+def draw(result: Equilibrium, ax: Axes | None = None, *, directors: bool = True, **style: Any) -> Axes:
+    """Draws the centreline, with a fringe along director a1 that shows how the rod is twisted.
+
+    Parameters
+    ----------
+    result : what to draw.
+    ax : axes to draw on; made if not given: flat for a planar scene, else three-dimensional.
+    directors : draw the fringe (in space only).
+    style : passed to ``Axes.plot``.
+
+    Returns the axes, with equal scales and labelled with coordinates in metres.
+    """
+    import matplotlib.pyplot as plt
+
+    planar = result.scene.space == "planar"
+    if ax is None:
+        ax = plt.figure().add_subplot(projection=None if planar else "3d")
+    if planar:
+        _draw_planar(result, ax, style)
+    else:
+        _draw_spatial(result, ax, directors, style)
+    return ax
+
+
+def _draw_planar(result: Equilibrium, ax: Axes, style: dict[str, Any]) -> None:
+    """In the plane of the clamp: a3 to the right, a1 upwards."""
+    local = _in_clamp(result)
+    ax.plot(local[:, 2], local[:, 0], **style)
+    ax.set_aspect("equal", adjustable="datalim")
+    ax.set(xlabel="along the clamp's a3 [m]", ylabel="along the clamp's a1 [m]")
+
+
+def _in_clamp(result: Equilibrium) -> np.ndarray:
+    back = result.scene.clamp_frame * np.array([1, -1, -1, -1])
+    return rotate(back, result.positions - result.positions[0])
+
+
+def _draw_spatial(result: Equilibrium, ax: Any, directors: bool, style: dict[str, Any]) -> None:
+    r = result.positions
+    (line,) = ax.plot(*r.T, **{"linewidth": 2, **style})
+    if directors:
+        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+        width = 0.03 * result.scene.rod.length
+        edge = r + width * rotate(result.vertex_frames, np.array([1.0, 0.0, 0.0]))
+        faces = np.stack([r[:-1], r[1:], edge[1:], edge[:-1]], axis=1)
+        ax.add_collection3d(Poly3DCollection(faces, facecolor=line.get_color(), alpha=0.35))
+    _equal_scales(ax, r)
+    ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
+
+
+def _equal_scales(ax: Any, r: np.ndarray) -> None:
+    limits = np.array([ax.get_xlim3d(), ax.get_ylim3d(), ax.get_zlim3d()])
+    low, high = limits.min(axis=1), limits.max(axis=1)
+    low, high = np.minimum(low, r.min(axis=0)), np.maximum(high, r.max(axis=0))
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    ax.set_box_aspect(np.maximum(high - low, 1e-3 * (high - low).max()))

@@ -1,0 +1,93 @@
+"""Materials and cross-sections."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, isinf
+
+import numpy as np
+
+from pyrod import _core
+from pyrod._immutable import Array
+
+
+@dataclass(frozen=True)
+class Material:
+    """Isotropic, linearly elastic material.
+
+    Parameters
+    ----------
+    E : Young's modulus [Pa], positive.
+    nu : Poisson's ratio, in (-1, 0.5]; default 0.3.
+    """
+
+    E: float
+    nu: float = 0.3
+
+    def __post_init__(self) -> None:
+        _core.section.check_material(self.E, self.nu)
+
+    @property
+    def G(self) -> float:
+        """Shear modulus E/(2 (1 + nu)) [Pa]."""
+        return self.E / (2 * (1 + self.nu))
+
+
+@dataclass(frozen=True)
+class Section:
+    """Stiffnesses of a cross-section, from dimensions or given outright.
+
+    Parameters
+    ----------
+    EI1, EI2 : bending stiffness about the directors a1, a2 [N m^2].
+    GJ : torsional stiffness [N m^2].
+    GA1, GA2 : shear stiffness along a1, a2 [N]; default infinite, the rod does not shear.
+    EA : axial stiffness [N]; default infinite, the rod keeps its length.
+    """
+
+    EI1: float
+    EI2: float
+    GJ: float
+    GA1: float = inf
+    GA2: float = inf
+    EA: float = inf
+
+    def __post_init__(self) -> None:
+        _core.section.check(self.EI1, self.EI2, self.GJ, self.GA1, self.GA2, self.EA)
+
+    @staticmethod
+    def circle(radius: float, material: Material) -> Section:
+        """Solid circle of the given radius [m]. Shear after Cowper (1966)."""
+        return Section(*_core.section.circle(radius, material.E, material.nu))
+
+    @staticmethod
+    def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
+        """Ring between two radii [m]. Shear after Cowper (1966)."""
+        return Section(
+            *_core.section.tube(outer_radius, inner_radius, material.E, material.nu)
+        )
+
+    @staticmethod
+    def rectangle(width: float, height: float, material: Material) -> Section:
+        """Solid rectangle, ``width`` along a1 and ``height`` along a2 [m].
+
+        Torsion after Saint-Venant, shear after Cowper (1966).
+        """
+        return Section(*_core.section.rectangle(width, height, material.E, material.nu))
+
+    @property
+    def bending(self) -> Array:
+        """(EI1, EI2, GJ), the diagonal of C_bt in Linn (49)."""
+        return np.array([self.EI1, self.EI2, self.GJ])
+
+    @property
+    def stretching(self) -> Array:
+        """(GA1, GA2, EA), the diagonal of C_es in Linn (51)."""
+        return np.array([self.GA1, self.GA2, self.EA])
+
+    @property
+    def model(self) -> str:
+        """The richest rod model that the finite stiffnesses allow."""
+        if isinf(self.EA):
+            return "inextensible"
+        return "extensible" if isinf(self.GA1) else "cosserat"
