@@ -1,13 +1,12 @@
-"""Exact solutions from JSON files, as scenes: one loader for every case of the reference format.
+"""Exact solutions from JSON files, as scenes.
 
-A folder of such files is named by the environment variable PYROD_REFERENCE; the default is the
-project's own copy, whose README explains the format.
+A folder of such files comes with the source of pyrod (``tests/reference``, where a README explains the
+format); other solvers can be tested against it, and pyrod against other files of the same form.
 """
 
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
@@ -16,10 +15,14 @@ from typing import Any
 
 import numpy as np
 
-import pyrod
+from pyrod._immutable import Array
+from pyrod.equilibrium import Equilibrium
+from pyrod.rod import Rod
+from pyrod.rotation import conjugate, multiply
+from pyrod.scene import Clamp, DistributedForce, DistributedMoment, Force, Moment, Scene
+from pyrod.section import Section
 
-FOLDER = Path(os.environ.get("PYROD_REFERENCE", Path(__file__).parents[1] / "reference"))
-MODELS = {
+_MODELS = {
     "cosserat": "cosserat",
     "extensible_kirchhoff": "extensible",
     "inextensible_kirchhoff": "inextensible",
@@ -44,58 +47,66 @@ class Case:
         """Spaces in which the case is solved."""
         return ("planar", "spatial") if self.data["planar"] else ("spatial",)
 
-    def sampled(self, key: str) -> np.ndarray:
+    @property
+    def intervals(self) -> int:
+        """Number of equal intervals between the samples."""
+        return len(self.data["s"]) - 1
+
+    def sampled(self, key: str) -> Array:
         """r, q, n or m at the sample points."""
         return np.array(self.data[key], dtype=float)
 
-    def along(self, key: str) -> Callable[[float], np.ndarray]:
+    def along(self, key: str) -> Callable[[float], Array]:
         """K0, f or l as a function of arc length."""
         value = np.array(self.data.get(key, [0, 0, 0]), dtype=float)
         slope = np.array(self.data.get(key + "_slope", [0, 0, 0]), dtype=float)
         return lambda s: value + slope * s
 
-    def section(self) -> pyrod.Section | Callable[[float], pyrod.Section]:
+    def section(self) -> Section | Callable[[float], Section]:
         """The section, or a function of arc length if a stiffness varies."""
 
-        def at(s: float) -> pyrod.Section:
+        def at(s: float) -> Section:
             def value(entry: float | list[float] | None) -> float:
                 if entry is None:
                     return inf
                 return entry[0] + entry[1] * s if isinstance(entry, list) else entry
 
             names = ("EI1", "EI2", "GJ", "GA1", "GA2", "EA")
-            return pyrod.Section(*(value(self.data["stiffness"][name]) for name in names))
+            return Section(*(value(self.data["stiffness"][name]) for name in names))
 
         varies = any(isinstance(v, list) for v in self.data["stiffness"].values())
         return at if varies else at(0.0)
 
-    def scene(self, edges: int, space: str) -> pyrod.Scene:
-        """The case on equal edges; raises NotPossible for what this version does not know."""
+    def scene(self, edges: int, space: str | None = None) -> Scene:
+        """The case on equal edges, in the simplest of its spaces unless another is named.
+
+        Raises `NotPossible` for what this version does not know.
+        """
         start, end = self.data["bc"]["s0"], self.data["bc"]["sL"]
         if start["type"] != "clamped":
             raise NotPossible(f"start is {start['type']}, not clamped")
         if end["type"] != "dead":
             raise NotPossible(f"end is {end['type']}, not free under dead loads")
-        rod = pyrod.Rod.precurved(
-            self.data["L"], edges, self.section(), self.along("K0"), MODELS[self.data["model"]]
+        rod = Rod.precurved(
+            self.data["L"], edges, self.section(), self.along("K0"), _MODELS[self.data["model"]]
         )
         loads = [
-            pyrod.Force(end["n"]),
-            pyrod.Moment(end["m"]),
-            pyrod.DistributedForce(self.along("f")),
-            pyrod.DistributedMoment(self.along("l")),
+            Force(end["n"]),
+            Moment(end["m"]),
+            DistributedForce(self.along("f")),
+            DistributedMoment(self.along("l")),
         ]
-        return pyrod.Scene(rod, pyrod.Clamp(start["r"], start["q"]), loads, space)
+        return Scene(rod, Clamp(start["r"], start["q"]), loads, space or self.spaces[0])
 
-    def errors(self, result: pyrod.Equilibrium) -> dict[str, float]:
+    def errors(self, result: Equilibrium) -> dict[str, float]:
         """Largest differences to the exact solution at the samples, relative to its size."""
-        step = result.scene.rod.edges // (len(self.data["s"]) - 1)
-        turn = pyrod.rotation.multiply(
-            pyrod.rotation.conjugate(self.sampled("q")), result.vertex_frames[::step]
-        )
+        step, rest = divmod(result.scene.rod.edges, self.intervals)
+        if rest:
+            raise ValueError(f"result: its edges must be a multiple of {self.intervals}")
+        turn = multiply(conjugate(self.sampled("q")), result.vertex_frames[::step])
         angle = 2 * np.arctan2(np.linalg.norm(turn[:, 1:], axis=1), np.abs(turn[:, 0]))
 
-        def relative(computed: np.ndarray, key: str, scale: float = 0.0) -> float:
+        def relative(computed: Array, key: str, scale: float = 0.0) -> float:
             exact = self.sampled(key)
             scale = max(scale, float(np.abs(exact).max()))
             return float(np.abs(computed[::step] - exact).max()) / (scale or 1.0)
@@ -110,7 +121,9 @@ class Case:
         }
 
 
-def load(folder: Path = FOLDER) -> list[Case]:
-    """All sampled rods of the folder; tables and plain curves are left out."""
-    cases = [json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))]
+def load(path: str | Path) -> list[Case]:
+    """The sampled rods of a folder, or of one file; tables and plain curves are left out."""
+    path = Path(path)
+    files = sorted(path.glob("*.json")) if path.is_dir() else [path]
+    cases = [json.loads(file.read_text()) for file in files]
     return [Case(data) for data in cases if "bc" in data]

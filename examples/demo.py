@@ -1,0 +1,130 @@
+"""The main job: three rods computed, checked against exact solutions, timed and drawn.
+
+Run by ``make demo``. Prints a table and writes ``demo.png``.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from statistics import median
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+
+import pyrod
+from pyrod.reference import Case, load
+
+REFERENCE = Path(__file__).parents[1] / "tests" / "reference"
+EDGES = (32, 64, 128, 256, 512, 1024)
+DRAWN = 64  # edges of the rods in the pictures
+SCENES = {
+    "elastica, F L²/EI = 10": "P1_F10_a90",
+    "elastica, F L²/EI = 1000": "P1_F1000_a90",
+    "helix under an end moment": "S1_moment_a",
+    "45° bend in space": "S2_bathe_P600_Jpolar_k5-6",
+}
+FAMILY = ("P1_F1_a90", "P1_F10_a90", "P1_F100_a90", "P1_F1000_a90")
+
+
+def case(name: str) -> Case:
+    return load(REFERENCE / f"{name}.json")[0]
+
+
+def timed(scene: pyrod.Scene, repeats: int = 15) -> tuple[pyrod.Equilibrium, float]:
+    """The equilibrium, and the median time [s] of solving for it."""
+    seconds = []
+    for _ in range(repeats):
+        began = time.perf_counter()
+        result = pyrod.solve(scene)
+        seconds.append(time.perf_counter() - began)
+    return result, median(seconds)
+
+
+def table() -> dict[str, list[tuple[float, float]]]:
+    """Prints a line per scene and n; returns (time, error) of each."""
+    print(f"{'scene':28s} {'n':>5s} {'position':>9s} {'frame':>9s} {'energy':>9s}  it   time")
+    curves: dict[str, list[tuple[float, float]]] = {}
+    for title, name in SCENES.items():
+        exact = case(name)
+        curves[title] = []
+        for n in EDGES:
+            result, seconds = timed(exact.scene(n))
+            e = exact.errors(result)
+            curves[title].append((seconds, e["positions"]))
+            print(
+                f"{title:28s} {n:5d} {e['positions']:9.1e} {e['frames']:9.1e} {e['energy']:9.1e} "
+                f"{result.iterations:3d} {1e3 * seconds:6.2f} ms"
+            )
+    return curves
+
+
+def draw_elastica(ax: Axes) -> None:
+    for name in FAMILY:
+        exact = case(name)
+        pyrod.solve(exact.scene(DRAWN)).plot(ax, label=f"F L²/EI = {exact.data['params']['F']}")
+        r = exact.sampled("r")
+        ax.plot(r[:, 2], r[:, 0], "k.", markersize=3)
+    ax.plot([], [], "k.", markersize=3, label="exact")
+    ax.set_title("Elastica under a dead tip force")
+    ax.set(xlabel="x / L", ylabel="y / L")
+    ax.legend(loc="upper right", fontsize=8)
+
+
+def draw_helix(ax: Axes) -> None:
+    exact = case("S1_moment_a")
+    pyrod.solve(exact.scene(DRAWN)).plot(ax, color="C4")
+    ax.plot(*exact.sampled("r").T, "k.", markersize=3)
+    ax.set_title("Straight rod under a dead end moment")
+    ax.set(xlabel="x / L", ylabel="y / L", zlabel="z / L")
+    ax.locator_params(nbins=4)
+    ax.view_init(elev=14, azim=-62)
+
+
+def draw_bend(ax: Axes) -> None:
+    rest = case("S2_bathe_P600_Jpolar_k5-6")
+    scene = rest.scene(DRAWN)
+    ax.plot(*scene.rod.at_rest(scene.clamp_position, scene.clamp_frame)[0].T, "--", color="0.6")
+    for name, color in (("S2_bathe_P300_Jpolar_k5-6", "C2"), ("S2_bathe_P600_Jpolar_k5-6", "C3")):
+        exact = case(name)
+        pyrod.solve(exact.scene(DRAWN)).plot(ax, color=color, label=f"P = {exact.data['params']['P']}")
+        ax.plot(*exact.sampled("r").T, "k.", markersize=3)
+    ax.set_title("45° bend, lifted at its tip")
+    ax.set(xlabel="x", ylabel="y", zlabel="z")
+    ax.legend(loc="upper left", fontsize=8)
+    ax.locator_params(nbins=4)
+    ax.view_init(elev=22, azim=-38)
+
+
+def draw_errors(ax: Axes, curves: dict[str, list[tuple[float, float]]]) -> None:
+    for (title, points), color in zip(curves.items(), ("C1", "C3", "C4", "C2"), strict=True):
+        t, e = np.array(points).T
+        ax.loglog(1e3 * t, e, "o-", color=color, markersize=4, label=title)
+    for n, (t, e) in zip(EDGES, points, strict=True):
+        ax.annotate(f" n = {n}", (1e3 * t, e), fontsize=6, color="0.4")
+    ax.set(xlabel="time of one solve [ms], start straight", ylabel="largest position error / L")
+    ax.set_title("Error against time")
+    ax.grid(alpha=0.3, which="both")
+    ax.legend(fontsize=8)
+
+
+def main() -> None:
+    out = Path(sys.argv[1] if len(sys.argv) > 1 else "demo.png")
+    curves = table()
+    figure = plt.figure(figsize=(12, 9.5), layout="constrained")
+    draw_elastica(figure.add_subplot(2, 2, 1))
+    draw_helix(figure.add_subplot(2, 2, 2, projection="3d"))
+    draw_bend(figure.add_subplot(2, 2, 3, projection="3d"))
+    draw_errors(figure.add_subplot(2, 2, 4), curves)
+    figure.suptitle("pyrod: computed rods (lines) and exact solutions (dots)")
+    figure.savefig(out, dpi=130)
+    print(f"\nrods drawn with n = {DRAWN}: {out.resolve()}")
+
+
+if __name__ == "__main__":
+    main()
