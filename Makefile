@@ -34,9 +34,10 @@ test-cpp: build/tests/configured ## run the C++ tests
 test-python: $(VENV)/package $(VENV)/test-tools ## run the Python tests
 	@$(PY) -m pytest
 
-bench: build/system-packages ## run the benchmarks
+bench: build/system-packages $(VENV)/package ## run the benchmarks
 	@cmake --preset release
 	@cmake --build --preset release --target bench
+	@$(PY) benchmarks/call_overhead.py build/release/benchmarks/call
 
 sanitize: build/system-packages ## run the C++ tests under the sanitizers
 	@cmake --workflow --preset asan
@@ -54,7 +55,7 @@ format: $(VENV)/dev-tools ## format all sources in place
 	@$(VENV)/bin/ruff format
 	@$(VENV)/bin/clang-format -i $(CXX_FILES)
 
-stubs: $(VENV)/package $(VENV)/dev-tools ## regenerate python/pyrod/_core.pyi
+stubs: $(VENV)/package $(VENV)/dev-tools ## regenerate the type stubs in python/pyrod/_core
 	@$(PY) -m pybind11_stubgen --exit-code --output-dir python pyrod._core
 
 clean: ## remove everything these targets made

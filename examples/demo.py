@@ -92,7 +92,9 @@ def draw_bend(ax: Axes) -> None:
     ax.plot(*scene.rod.at_rest(scene.clamp_position, scene.clamp_frame)[0].T, "--", color="0.6")
     for name, color in (("S2_bathe_P300_Jpolar_k5-6", "C2"), ("S2_bathe_P600_Jpolar_k5-6", "C3")):
         exact = case(name)
-        pyrod.solve(exact.scene(DRAWN)).plot(ax, color=color, label=f"P = {exact.data['params']['P']}")
+        pyrod.solve(exact.scene(DRAWN)).plot(
+            ax, color=color, label=f"P = {exact.data['params']['P']}"
+        )
         ax.plot(*exact.sampled("r").T, "k.", markersize=3)
     ax.set_title("45° bend, lifted at its tip")
     ax.set(xlabel="x", ylabel="y", zlabel="z")

@@ -16,10 +16,12 @@ CosseratCurve<Spatial> framed_curve(const Grid& grid, const Array& positions, co
   require_count(Eigen::Index(curve.frames.size()), grid.edges(), "frames", "one per edge");
   curve.start_frame = start_frame ? quaternion(*start_frame, "start_frame") : curve.frames.front();
   curve.end_frame = end_frame ? quaternion(*end_frame, "end_frame") : curve.frames.back();
-  for (int j = 0; j <= grid.edges(); ++j)
-    require(turn(curve, j).norm() < 2 * std::numbers::pi - 1e-6, "frames[", j,
+  for (int j = 0; j <= grid.edges(); ++j) {
+    const Quaternion W = curve.frame_before(j).conjugate() * curve.frame_behind(j);
+    require(W.w() > 0 || W.vec().norm() > 5e-7, "frames[", j,
             "]: turned by 2 pi from its neighbour, so that the axis of the turn is lost; "
             "use the other sign of the quaternion, or more edges");
+  }
   return curve;
 }
 

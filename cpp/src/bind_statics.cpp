@@ -51,7 +51,10 @@ void bind_fields(py::module_& module, const char* name, const char* doc) {
                      py::cast<std::string>(py::repr(value)));
     return std::string(name) + "(" + inside + ")";
   });
-  type.def("__eq__", [to_dict](const T& a, const T& b) { return to_dict(a).equal(to_dict(b)); });
+  type.def("__eq__", [to_dict](const T& a, const py::object& b) {
+    return py::isinstance<T>(b) && to_dict(a).equal(to_dict(b.cast<const T&>()));
+  });
+  type.def("__hash__", [](const py::object& self) { return py::hash(py::repr(self)); });
   type.def(py::pickle(to_dict, from));
 }
 

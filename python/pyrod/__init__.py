@@ -1,8 +1,8 @@
 """Elastic rods, discretised geometrically: equilibria of Cosserat and Kirchhoff rods.
 
 SI units or any other consistent set. Vectors are arrays of three numbers, frames are unit
-quaternions ``(w, x, y, z)`` whose rotation matrix has the directors a1, a2, a3 as columns; a3 is the
-normal of the cross-section.
+quaternions ``(w, x, y, z)`` whose rotation matrix has the directors a1, a2, a3 as columns; a3 is
+the normal of the cross-section.
 """
 
 from importlib.metadata import version as _version
@@ -10,7 +10,7 @@ from importlib.metadata import version as _version
 from pyrod import curve, rotation
 from pyrod._core import Options
 from pyrod.equilibrium import Equilibrium, solve
-from pyrod.errors import NotConverged, UnstableWarning
+from pyrod.errors import NotConverged, StrainWarning, UnstableWarning
 from pyrod.rod import Rod
 from pyrod.scene import Clamp, DistributedForce, DistributedMoment, Force, Moment, Scene
 from pyrod.section import Material, Section
@@ -30,6 +30,7 @@ __all__ = [
     "Rod",
     "Scene",
     "Section",
+    "StrainWarning",
     "UnstableWarning",
     "curve",
     "rotation",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from pyrod import _core
 from pyrod._core import Options
 from pyrod._immutable import Array, Immutable
-from pyrod.errors import NotConverged, UnstableWarning
+from pyrod.errors import NotConverged, StrainWarning, UnstableWarning
 from pyrod.rotation import as_frames
 from pyrod.scene import Scene
 
@@ -26,10 +26,11 @@ Trace = Callable[[float, float, float, float, float], Any]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Equilibrium(Immutable):
-    """Equilibrium of a scene; with n edges, arrays are per vertex (n + 1 rows) or per edge (n rows).
+    """Equilibrium of a scene with n edges; arrays have a row per vertex (n + 1) or per edge (n).
 
     Positions, forces and moments are spatial; strains and whatever is called material have the
-    components of the frames. Section forces and moments act from the part behind on the part before.
+    components of the frames. Section forces and moments act from the part behind on the part
+    before.
     """
 
     scene: Scene
@@ -46,7 +47,9 @@ class Equilibrium(Immutable):
     stretch_shear_energy: float  #: Linn (51) [J]
     status: str  #: "converged", or why not
     advice: str  #: the status in a sentence, with what to try
-    index: int  #: stability index: directions in which the energy falls; -1 if there is no potential
+    index: (
+        int  #: stability index: directions in which the energy falls; -1 if there is no potential
+    )
     residual: float  #: largest unbalanced moment on an edge [N m]
     record: dict[str, Array]  #: one entry per iteration: step [rad], residual, energy, shift, ...
     time: float = field(compare=False)  #: of the solve [s]
@@ -63,8 +66,10 @@ class Equilibrium(Immutable):
 
     @property
     def stable(self) -> bool | None:
-        """Whether the energy has a minimum here, among shapes of the scene's space; None if the loads
-        have no potential."""
+        """Whether the energy has a minimum here, among shapes of the scene's space.
+
+        None if the loads have no potential.
+        """
         return None if self.index < 0 else self.index == 0
 
     @property
@@ -144,6 +149,7 @@ def solve(
     Warns
     -----
     UnstableWarning : the equilibrium found is a saddle of the energy.
+    StrainWarning : an edge is turned inside out, or neighbours turn by more than pi.
     """
     rod = scene.rod
     began = perf_counter()
@@ -165,14 +171,33 @@ def solve(
     result = Equilibrium(scene=scene, time=time, **out)
     if strict and not result.converged:
         raise NotConverged(result)
-    if result.index > 0:
-        warnings.warn(
-            f"the equilibrium is unstable (index {result.index}): a disturbed rod leaves it; start "
-            "from a shape on the side that it would fall to",
-            UnstableWarning,
-            stacklevel=2,
-        )
+    for category, message in _doubts(result):
+        warnings.warn(message, category, stacklevel=2)
     return result
+
+
+def _doubts(result: Equilibrium) -> Iterator[tuple[type[Warning], str]]:
+    """What a user should know before trusting an equilibrium."""
+    if result.index > 0:
+        message = (
+            f"the equilibrium is unstable (index {result.index}): a disturbed rod leaves it; "
+            "start from a shape on the side that it would fall to"
+        )
+        yield UnstableWarning, message
+    stretch = result.Gamma[:, 2]
+    if stretch.min() <= 0:
+        message = (
+            f"edge {int(stretch.argmin())} is compressed to {stretch.min():.3g} of its length, "
+            "turned inside out: the loads exceed what EA allows"
+        )
+        yield StrainWarning, message
+    turns = result.scene.rod.cell_lengths * np.linalg.norm(result.K, axis=1)
+    if turns.max() > np.pi:
+        message = (
+            f"the rod turns by {turns.max():.3g} rad at vertex {int(turns.argmax())}: more edges "
+            "are needed for the shape to mean anything"
+        )
+        yield StrainWarning, message
 
 
 def _start_frames(start: Equilibrium | ArrayLike | None, scene: Scene) -> Array | None:
@@ -186,6 +211,8 @@ def _start_frames(start: Equilibrium | ArrayLike | None, scene: Scene) -> Array 
     return continued(np.vstack([scene.clamp_frame, frames]))[1:]
 
 
-def _print_iteration(energy: float, residual: float, step: float, part: float, shift: float) -> None:
+def _print_iteration(
+    energy: float, residual: float, step: float, part: float, shift: float
+) -> None:
     notes = (f"  part {part:.2g}" if part < 1 else "") + (f"  shift {shift:.2e}" if shift else "")
     print(f"energy {energy:+.9e}  residual {residual:.2e}  step {step:.2e} rad{notes}", flush=True)

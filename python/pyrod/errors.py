@@ -22,3 +22,7 @@ class NotConverged(RuntimeError):
 
 class UnstableWarning(UserWarning):
     """The equilibrium found is unstable: the rod would leave it."""
+
+
+class StrainWarning(UserWarning):
+    """The equilibrium found strains the rod beyond what the model or the edges can mean."""

@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from pyrod.equilibrium import Equilibrium
 
 
-def draw(result: Equilibrium, ax: Axes | None = None, *, directors: bool = True, **style: Any) -> Axes:
+def draw(
+    result: Equilibrium, ax: Axes | None = None, *, directors: bool = True, **style: Any
+) -> Axes:
     """Draws the centreline, with a fringe along director a1 that shows how the rod is twisted.
 
     Parameters
@@ -66,8 +68,16 @@ def _draw_spatial(result: Equilibrium, ax: Any, directors: bool, style: dict[str
 
 
 def _equal_scales(ax: Any, r: np.ndarray) -> None:
+    """One scale for all axes; a rod in a plane still gets a box that is not flat."""
+    from matplotlib.ticker import MaxNLocator
+
     limits = np.array([ax.get_xlim3d(), ax.get_ylim3d(), ax.get_zlim3d()])
-    low, high = limits.min(axis=1), limits.max(axis=1)
-    low, high = np.minimum(low, r.min(axis=0)), np.maximum(high, r.max(axis=0))
+    low = np.minimum(limits.min(axis=1), r.min(axis=0))
+    high = np.maximum(limits.max(axis=1), r.max(axis=0))
+    centre, size = (low + high) / 2, high - low
+    size = np.maximum(size, size.max() / 4)
+    low, high = centre - size / 2, centre + size / 2
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    ax.set_box_aspect(np.maximum(high - low, 1e-3 * (high - low).max()))
+    ax.set_box_aspect(size)
+    for axis, share in zip((ax.xaxis, ax.yaxis, ax.zaxis), size / size.max(), strict=True):
+        axis.set_major_locator(MaxNLocator(max(2, round(6 * share))))

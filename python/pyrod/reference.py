@@ -1,7 +1,7 @@
 """Exact solutions from JSON files, as scenes.
 
-A folder of such files comes with the source of pyrod (``tests/reference``, where a README explains the
-format); other solvers can be tested against it, and pyrod against other files of the same form.
+A folder of such files comes with the source of pyrod (``tests/reference``, where a README explains
+the format); other solvers can be tested against it, and pyrod against other files of the same form.
 """
 
 from __future__ import annotations
@@ -15,14 +15,24 @@ from typing import Any
 
 import numpy as np
 
+from pyrod._along import Model
 from pyrod._immutable import Array
 from pyrod.equilibrium import Equilibrium
 from pyrod.rod import Rod
 from pyrod.rotation import conjugate, multiply
-from pyrod.scene import Clamp, DistributedForce, DistributedMoment, Force, Moment, Scene
+from pyrod.scene import (
+    Clamp,
+    DistributedForce,
+    DistributedMoment,
+    Force,
+    Load,
+    Moment,
+    Scene,
+    Space,
+)
 from pyrod.section import Section
 
-_MODELS = {
+_MODELS: dict[str, Model] = {
     "cosserat": "cosserat",
     "extensible_kirchhoff": "extensible",
     "inextensible_kirchhoff": "inextensible",
@@ -43,7 +53,7 @@ class Case:
         return self.data["id"]
 
     @property
-    def spaces(self) -> tuple[str, ...]:
+    def spaces(self) -> tuple[Space, ...]:
         """Spaces in which the case is solved."""
         return ("planar", "spatial") if self.data["planar"] else ("spatial",)
 
@@ -77,7 +87,7 @@ class Case:
         varies = any(isinstance(v, list) for v in self.data["stiffness"].values())
         return at if varies else at(0.0)
 
-    def scene(self, edges: int, space: str | None = None) -> Scene:
+    def scene(self, edges: int, space: Space | None = None) -> Scene:
         """The case on equal edges, in the simplest of its spaces unless another is named.
 
         Raises `NotPossible` for what this version does not know.
@@ -90,7 +100,7 @@ class Case:
         rod = Rod.precurved(
             self.data["L"], edges, self.section(), self.along("K0"), _MODELS[self.data["model"]]
         )
-        loads = [
+        loads: list[Load] = [
             Force(end["n"]),
             Moment(end["m"]),
             DistributedForce(self.along("f")),

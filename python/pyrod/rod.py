@@ -2,36 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, Union
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
+from pyrod._along import Curvature, Model, Sections, edge_lengths, sampled, stiffness
 from pyrod._immutable import Array, Immutable, frozen
-from pyrod.rotation import as_frames, continued, exp, log, conjugate, multiply, rotate
-from pyrod.section import Section
-
-Model = Literal["cosserat", "extensible", "inextensible"]
-Sections = Union[Section, Sequence[Section], Callable[[float], Section]]
-Curvature = Union[ArrayLike, Callable[[float], ArrayLike]]
+from pyrod._rest_shape import adapted, rest_curvature
+from pyrod.rotation import as_frames
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Rod(Immutable):
     """A rod of n edges; its sections and its curvature at rest may vary along it.
 
-    Make one with `Rod.straight`, `Rod.precurved` or `Rod.from_curve`; the constructor takes what the
-    discrete rod consists of (Linn 2020, B.7).
+    Make one with `Rod.straight`, `Rod.precurved` or `Rod.from_curve`; the constructor takes what
+    the discrete rod consists of (Linn 2020, B.7).
 
     Parameters
     ----------
     edge_lengths : (n,) lengths h [m] of the edges at rest, positive, not necessarily equal.
     bending : (n + 1, 3) stiffnesses (EI1, EI2, GJ) [N m^2] at the vertices.
     stretching : (n, 3) stiffnesses (GA1, GA2, EA) [N] of the edges; ``inf`` is rigid.
-    K0 : (n + 1, 3) material curvature at rest [1/m] at the vertices: bending about a1 and a2, twist.
+    K0 : (n + 1, 3) material curvature at rest [1/m] at the vertices: about a1, a2, and twist.
     model : "cosserat" (shears and stretches), "extensible" (Kirchhoff, stretches), "inextensible"
         (Kirchhoff). Strains that a model excludes are zero whatever their stiffness.
     placement : position (3,) and frame (4,) that the start of the rod has at rest.
@@ -50,6 +46,7 @@ class Rod(Immutable):
     placement: tuple[Array, Array] = field(
         default=(frozen([0, 0, 0]), frozen([1, 0, 0, 0])), compare=False
     )
+    _rod: _core.Rod = field(init=False, compare=False)
 
     def __post_init__(self) -> None:
         if self.model not in _core.Model.__members__:
@@ -104,9 +101,9 @@ class Rod(Immutable):
         curvature : (K1, K2, K3) [1/m], bending about a1 and a2 and twist; or one per vertex,
             (n + 1, 3); or a function of arc length.
         """
-        h = _edge_lengths(length, edges)
-        bending, stretching, natural = _stiffness(section, h)
-        K0 = _sampled(curvature, np.concatenate([[0.0], np.cumsum(h)]), "curvature", "vertex")
+        h = edge_lengths(length, edges)
+        bending, stretching, natural = stiffness(section, h)
+        K0 = sampled(curvature, np.concatenate([[0.0], np.cumsum(h)]), "curvature", "vertex")
         return cls(h, bending, stretching, K0, model or natural)
 
     @classmethod
@@ -122,9 +119,9 @@ class Rod(Immutable):
         Parameters
         ----------
         positions : (n + 1, 3) vertices [m]; neighbours must not coincide.
-        frames : (n, 4) quaternions or (n, 3, 3) matrices, the frame of each edge. Each is turned the
-            shortest way that brings a3 into the edge; more than 0.5 rad is refused. The signs of
-            quaternions do not matter.
+        frames : (n, 4) quaternions or (n, 3, 3) matrices, the frame of each edge. Each is turned
+            the shortest way that brings a3 into the edge; more than 0.5 rad is refused. The signs
+            of quaternions do not matter.
         section, model : see `Rod.straight`.
 
         The frame at the start continues the curvature of the first vertex over the half edge.
@@ -138,9 +135,9 @@ class Rod(Immutable):
         h = np.linalg.norm(edges, axis=1)
         if not h.all():
             raise ValueError(f"positions[{int(np.argmin(h)) + 1}]: coincides with the one before")
-        q = _adapted(as_frames(frames, "frames"), edges / h[:, None])
-        K0, start = _rest_curvature(q, h)
-        bending, stretching, natural = _stiffness(section, h)
+        q = adapted(as_frames(frames, "frames"), edges / h[:, None])
+        K0, start = rest_curvature(q, h)
+        bending, stretching, natural = stiffness(section, h)
         return cls(h, bending, stretching, K0, model or natural, (r[0], start))
 
     # Views ---------------------------------------------------------------------------------------
@@ -159,6 +156,11 @@ class Rod(Immutable):
     def arc_lengths(self) -> Array:
         """(n + 1,) arc length of the vertices [m]."""
         return self._rod.arc_lengths
+
+    @property
+    def cell_lengths(self) -> Array:
+        """(n + 1,) length of the cell of each vertex, half edges at the ends [m]."""
+        return np.convolve(self.edge_lengths, [0.5, 0.5])
 
     def at_rest(
         self, position: ArrayLike | None = None, frame: ArrayLike | None = None
@@ -225,93 +227,3 @@ class Energy(Immutable):
         from scipy.sparse import csc_array
 
         return csc_array(self._hessian, shape=(len(self.gradient),) * 2)
-
-
-def _edge_lengths(length: float | ArrayLike, edges: int | None) -> Array:
-    if edges is None:
-        return np.atleast_1d(np.asarray(length, dtype=np.float64))
-    if edges != int(edges) or edges < 1:
-        raise ValueError(f"edges: must be a whole number, at least 1, got {edges}")
-    if np.ndim(length) != 0:
-        raise ValueError("edges: give None together with the lengths of the edges")
-    if not (np.isfinite(length) and length > 0):  # type: ignore[operator]
-        raise ValueError(f"length: must be positive, got {length}")
-    return np.full(int(edges), length / int(edges))  # type: ignore[operator]
-
-
-def _sampled(values: Any, at: Array, name: str, place: str) -> Array:
-    """(len(at), 3) from one vector, one per place, or a function of arc length."""
-    if callable(values):
-        values = [np.asarray(values(s), dtype=np.float64) for s in at]
-    array = np.asarray(values, dtype=np.float64)
-    if array.shape not in ((3,), (len(at), 3)):
-        raise ValueError(
-            f"{name}: expected 3 numbers, or {len(at)} times 3 (one per {place}), "
-            f"got shape {array.shape}"
-        )
-    return np.array(np.broadcast_to(array, (len(at), 3)))
-
-
-def _stiffness(section: Sections, h: Array) -> tuple[Array, Array, Model]:
-    """Stiffnesses at vertices and of edges, and the richest model they allow.
-
-    Sections given per edge may jump at a vertex; the two halves of the cell there bend one after the
-    other, so their compliances add.
-    """
-    if isinstance(section, Section):
-        model = section.model
-        n = len(h)
-        return np.tile(section.bending, (n + 1, 1)), np.tile(section.stretching, (n, 1)), model
-    s = np.concatenate([[0.0], np.cumsum(h)])
-    if callable(section):
-        at_vertices = [section(x) for x in s]
-        on_edges = [section(x) for x in (s[1:] + s[:-1]) / 2]
-        bending = np.array([c.bending for c in at_vertices])
-    else:
-        on_edges = list(section)
-        if len(on_edges) != len(h):
-            raise ValueError(f"section: expected {len(h)}, one per edge, got {len(on_edges)}")
-        weight = np.concatenate([[0.0], h, [0.0]])[:, None]
-        per_edge = np.array([c.bending for c in on_edges])
-        padded = np.vstack([per_edge[:1], per_edge, per_edge[-1:]])
-        compliance = weight / padded
-        bending = (weight[1:] + weight[:-1]) / (compliance[1:] + compliance[:-1])
-    models = {c.model for c in on_edges}
-    model = next(m for m in ("cosserat", "extensible", "inextensible") if m in models)
-    return bending, np.array([c.stretching for c in on_edges]), model  # type: ignore[return-value]
-
-
-def _adapted(frames: Array, tangents: Array) -> Array:
-    """Frames turned the shortest way so that a3 is the tangent, with continued signs."""
-    if len(frames) != len(tangents):
-        raise ValueError(f"frames: expected {len(tangents)}, one per edge, got {len(frames)}")
-    a3 = rotate(frames, np.array([0.0, 0.0, 1.0]))
-    axis = np.cross(a3, tangents)
-    sine, cosine = np.linalg.norm(axis, axis=1), np.einsum("ij,ij->i", a3, tangents)
-    angle = np.arctan2(sine, cosine)
-    worst = int(np.argmax(angle))
-    if angle[worst] > 0.5:
-        raise ValueError(
-            f"frames[{worst}]: a3 is {angle[worst]:.3g} rad away from the edge; the third director "
-            "must point along the rod"
-        )
-    scale = np.divide(angle, sine, out=np.ones_like(sine), where=sine > 0)
-    return continued(multiply(exp(axis * scale[:, None]), frames))
-
-
-def _rest_curvature(frames: Array, h: Array) -> tuple[Array, Array]:
-    """K0 at the vertices, and the frame at the start."""
-    n = len(h)
-    K0 = np.zeros((n + 1, 3))
-    if n > 1:
-        turns = log(multiply(conjugate(frames[:-1]), frames[1:]))
-        size = np.linalg.norm(turns, axis=1)
-        worst = int(np.argmax(size))
-        if size[worst] > np.pi - 1e-9:
-            raise ValueError(
-                f"frames[{worst + 1}]: turned by pi from the one before, so that the sense of the "
-                "turn is lost; use more edges"
-            )
-        K0[1:n] = turns / ((h[1:] + h[:-1]) / 2)[:, None]
-        K0[0], K0[n] = K0[1], K0[n - 1]
-    return K0, multiply(frames[0], exp(-h[0] / 2 * K0[0]))

@@ -1,8 +1,8 @@
 """Rotations as unit quaternions ``(w, x, y, z)``, one or many at a time.
 
-Arrays have shape ``(..., 4)`` for quaternions and ``(..., 3)`` for vectors; leading axes are kept. A
-quaternion and its negative are the same frame but not the same turn: ``log`` reaches up to 2 pi and
-no function flips a sign (Linn 2020, note 9).
+Arrays have shape ``(..., 4)`` for quaternions and ``(..., 3)`` for vectors; leading axes are kept.
+A quaternion and its negative are the same frame but not the same turn: ``log`` reaches up to 2 pi
+and no function flips a sign (Linn 2020, note 9).
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def rotate(quaternion: ArrayLike, vector: ArrayLike) -> Array:
 
 def conjugate(quaternion: ArrayLike) -> Array:
     """The inverse rotation."""
-    return np.asarray(quaternion, dtype=np.float64) * np.array([1.0, -1.0, -1.0, -1.0])
+    return _rowwise(lambda q: q * np.array([1.0, -1.0, -1.0, -1.0]), quaternion, 4)
 
 
 def to_matrix(quaternion: ArrayLike) -> Array:
@@ -114,10 +114,11 @@ def frame_along(tangent: ArrayLike, normal: ArrayLike | None = None) -> Array:
     """
     t = _direction(tangent, "tangent")
     if normal is None:
-        if t[2] < -1 + 1e-12:  # every way is the shortest: half a turn about e1
+        sine = np.hypot(t[0], t[1])
+        if sine == 0 and t[2] < 0:  # every way is the shortest: half a turn about e1
             return np.array([0.0, 1.0, 0.0, 0.0])
-        q = np.array([1 + t[2], -t[1], t[0], 0.0])
-        return q / np.linalg.norm(q)
+        turn = np.arctan2(sine, t[2])
+        return exp(turn * np.array([-t[1], t[0], 0.0]) / (sine or 1.0))
     n = _direction(normal, "normal")
     a1 = n - (n @ t) * t
     if np.linalg.norm(a1) < 1e-6:
@@ -129,5 +130,6 @@ def frame_along(tangent: ArrayLike, normal: ArrayLike | None = None) -> Array:
 def _direction(values: ArrayLike, name: str) -> Array:
     v = np.asarray(values, dtype=np.float64)
     if v.shape != (3,) or not np.isfinite(v).all() or not v.any():
-        raise ValueError(f"{name}: expected a vector of 3 finite numbers, not zero, got {values}")
+        raise ValueError(f"{name}: expected a vector of 3 finite numbers, not zero, got {values!r}")
+    v = v / np.abs(v).max()  # so that squares neither overflow nor vanish
     return v / np.linalg.norm(v)

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
+from pyrod._along import sampled
 from pyrod._immutable import Array, Immutable, frozen, vector
-from pyrod.rod import Rod, _sampled
+from pyrod.rod import Rod
 from pyrod.rotation import as_frames, frame_along
 
 Place = Union[Literal["start", "end"], float]
+Space = Literal["planar", "spatial"]
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -23,11 +25,10 @@ class Clamp(Immutable):
 
     Parameters
     ----------
-    position : (3,) [m]; default the place of the rod at rest, which is the origin for rods that are
-        not made from a curve.
+    position : (3,) [m]; default: where the rod is at rest, the origin unless made from a curve.
     frame : (4,) unit quaternion or (3, 3) matrix; or, instead,
-    tangent, normal : directions of a3 and, as near as can be, of a1. Default: the frame of the rod at
-        rest, which is e1, e2, e3 for rods that are not made from a curve: such a rod starts along z.
+    tangent, normal : directions of a3 and, as near as can be, of a1. Default: the frame that the
+        start has at rest; a rod that is not made from a curve starts along z, with a1 along x.
     """
 
     position: Array | None
@@ -61,8 +62,8 @@ class Clamp(Immutable):
 class Force(Immutable):
     """A dead force (3,) [N], fixed in space, on one point of the rod.
 
-    at : "end" (default), "start", or an arc length [m]. Between two vertices it is shared by them as
-        by a lever.
+    at : "end" (default), "start", or an arc length [m]. Between two vertices it is shared by them
+        as by a lever.
     """
 
     force: Array
@@ -94,8 +95,11 @@ class Moment(Immutable):
 
 @dataclass(frozen=True, eq=False)
 class DistributedForce(Immutable):
-    """A dead force per length at rest [N/m]: (3,), (n, 3) one per edge, or a function of arc length,
-    which is taken at the centres of the edges."""
+    """A dead force per length at rest [N/m].
+
+    force_per_length : (3,), (n, 3) one per edge, or a function of arc length, which is taken at the
+        centres of the edges.
+    """
 
     force_per_length: Array | Callable[[float], ArrayLike]
 
@@ -141,14 +145,15 @@ class Scene(Immutable):
     rod: Rod
     supports: tuple[Clamp, ...]
     loads: tuple[Load, ...]
-    space: Literal["planar", "spatial"]
+    space: Space
+    _loads: _core.Loads = field(init=False, compare=False)
 
     def __init__(
         self,
         rod: Rod,
         supports: Clamp | Iterable[Clamp],
         loads: Load | Iterable[Load] = (),
-        space: Literal["planar", "spatial"] = "spatial",
+        space: Space = "spatial",
     ) -> None:
         supports = _tuple(supports, Clamp, "supports")
         loads = _tuple(loads, Load.__args__, "loads")  # type: ignore[attr-defined]
@@ -220,7 +225,7 @@ def _centres(rod: Rod) -> Array:
 
 
 def _on_edges(values: Any, rod: Rod, name: str) -> Array:
-    return _sampled(values, _centres(rod), name, "edge")
+    return sampled(values, _centres(rod), name, "edge")
 
 
 def _sampled_load(load: Load, rod: Rod) -> Load:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf, isinf
+from typing import Literal
 
 import numpy as np
 
 from pyrod import _core
 from pyrod._immutable import Array
+
+Model = Literal["cosserat", "extensible", "inextensible"]
 
 
 @dataclass(frozen=True)
@@ -63,9 +66,7 @@ class Section:
     @staticmethod
     def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
         """Ring between two radii [m]. Shear after Cowper (1966)."""
-        return Section(
-            *_core.section.tube(outer_radius, inner_radius, material.E, material.nu)
-        )
+        return Section(*_core.section.tube(outer_radius, inner_radius, material.E, material.nu))
 
     @staticmethod
     def rectangle(width: float, height: float, material: Material) -> Section:
@@ -86,7 +87,7 @@ class Section:
         return np.array([self.GA1, self.GA2, self.EA])
 
     @property
-    def model(self) -> str:
+    def model(self) -> Model:
         """The richest rod model that the finite stiffnesses allow."""
         if isinf(self.EA):
             return "inextensible"

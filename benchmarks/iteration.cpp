@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One Newton iteration in nanoseconds per edge, split, beside a bare CHOLMOD factor + solve of the same
+// matrix in the same run; and a whole solve from the straight start.
+#include "measure.hpp"
+
+#include <pyrod/pyrod.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace pyrod::benchmark {
+
+template <class Space>
+Rod<Space> rod(int n) {
+  const Rod<Spatial> spatial =
+      Rod<Spatial>::uniform(Grid::uniform(1, n), {1, 1.5, 0.7}, {4e3, 4e3, 1e4},
+                            Space::spin == 3 ? Vec3(0.5, 0.2, 1) : Vec3(0, 0.2, 0));
+  return restricted<Space>(spatial);
+}
+
+/// CHOLMOD alone, called as its manual says, on a copy of the matrix.
+double bare_cholmod(SymmetricMatrix A, const Vector& b) {
+  Cholesky factor(A);
+  Vector x(b.size());
+  return seconds([&] {
+    factor.factorise();
+    factor.solve(b, x);
+  });
+}
+
+template <class Space, class Model>
+void row(int n) {
+  const auto scene_rod = rod<Space>(n);
+  Loads<Space> loads(n);
+  loads.add_force(scene_rod.grid, restrict_point<Space>({5, 0, 1}), 1);
+  const auto identity = Space::Rotation::Identity();
+  const Equilibrium<Space, Model> problem(scene_rod, identity, loads);
+  const Cantilever<Space, Model> scene(scene_rod, Point<Space>::Zero(), identity, loads);
+
+  auto here = problem.linearisation();
+  auto state = scene.start().first, moved = state;
+  Cholesky factor(here.hessian);
+  Vector δ(here.gradient.size());
+  const auto step = [&](Curvature curvature) {
+    problem.linearise(state, curvature, here);
+    factor.factorise();
+    δ = -here.gradient;
+    factor.solve(δ, δ);
+    problem.move(state, δ, moved);
+  };
+  step(Curvature::convex);
+  std::swap(state, moved);
+
+  const double scale = 1e9 / n;
+  const double evaluate =
+      scale * seconds([&] { problem.linearise(state, Curvature::exact, here); });
+  const double factorise = scale * seconds([&] { factor.factorise(); });
+  const double solve = scale * seconds([&] { factor.solve(here.gradient, δ); });
+  const double move = scale * seconds([&] { problem.move(state, δ, moved); });
+  const double iteration = scale * seconds([&] { step(Curvature::exact); });
+  const double bare = scale * bare_cholmod(here.hessian, here.gradient);
+
+  Newton<Equilibrium<Space, Model>> newton(problem);
+  const auto start = scene.start().first;
+  int iterations = 0;
+  const double newton_time =
+      seconds([&] { iterations = newton.solve(start).iterations(); }, 3);
+  const double all = seconds([&] { scene.solve(); }, 3);
+  std::printf("%-8s %-12s %8d %6.0f %6.0f %6.0f %6.0f %6.0f %6.0f %6.2f %4d %7.0f %10.3f\n",
+              Space::spin == 3 ? "spatial" : "planar", Model::name, n, evaluate, factorise, solve,
+              move, iteration, bare, iteration / bare, iterations,
+              scale * newton_time / iterations, 1e3 * all);
+  std::fflush(stdout);
+}
+
+template <class Space>
+void rows(int n) {
+  row<Space, Cosserat>(n);
+  row<Space, ExtensibleKirchhoff>(n);
+  row<Space, InextensibleKirchhoff>(n);
+}
+
+}  // namespace pyrod::benchmark
+
+int main(int argc, char** argv) {
+  using namespace pyrod;
+  const int largest = argc > 1 ? std::atoi(argv[1]) : 1000000;
+  std::puts("ns per edge: evaluation (energy, gradient, Hessian), factor, solve, move, the whole");
+  std::puts("iteration, bare CHOLMOD factor + solve, their ratio; iterations of a solve from rest, ns");
+  std::puts("per edge and iteration of all of Newton; ms of the whole call with results\n");
+  std::puts("space    model               n   eval factor  solve   move   iter   bare  ratio   it  newton"
+            "    call/ms");
+  for (int n = 100; n <= largest; n *= 10) {
+    benchmark::rows<Planar>(n);
+    benchmark::rows<Spatial>(n);
+  }
+}

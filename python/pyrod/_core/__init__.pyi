@@ -1,0 +1,182 @@
+"""
+The compiled part of pyrod. Use it through the package.
+"""
+from __future__ import annotations
+import collections.abc
+import numpy
+import numpy.typing
+import typing
+from . import rotation
+from . import section
+from . import curve
+__all__: list[str] = ['Dimension', 'Loads', 'Model', 'Options', 'Rod', 'curve', 'rotation', 'section', 'solve']
+class Model:
+    """
+    Members:
+    
+      cosserat
+    
+      extensible
+    
+      inextensible
+    """
+    __members__: typing.ClassVar[dict[str, Model]]
+    cosserat: typing.ClassVar[Model]
+    extensible: typing.ClassVar[Model]
+    inextensible: typing.ClassVar[Model]
+    @typing.overload
+    def __eq__(self, other: Model) -> bool:
+        ...
+    @typing.overload
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    @typing.overload
+    def __ne__(self, other: Model) -> bool:
+        ...
+    @typing.overload
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class Rod:
+    def __init__(self, edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+    def at_rest(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+        ...
+    def energy(self, model: Model, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frames: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], start_frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, end_frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> tuple[float, float, numpy.typing.NDArray[numpy.float64], tuple]:
+        ...
+    @property
+    def arc_lengths(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    @property
+    def length(self) -> float:
+        ...
+class Options:
+    """
+    What may be tuned in a solve; keywords only.
+    """
+    def __eq__(self, arg0: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, arg0: dict) -> None:
+        ...
+    @property
+    def max_iterations(self) -> int:
+        """
+        linear solves before giving up
+        """
+    @property
+    def near(self) -> float:
+        """
+        steps [rad] below which the exact Hessian replaces the convex one
+        """
+    @property
+    def tolerance(self) -> float:
+        """
+        largest component [rad] of the last full Newton step; the error left is of the order of its square
+        """
+    @property
+    def trust(self) -> float:
+        """
+        longest step [rad] taken on the word of the exact Hessian
+        """
+class Dimension:
+    """
+    Members:
+    
+      planar
+    
+      spatial
+    """
+    __members__: typing.ClassVar[dict[str, Dimension]]
+    planar: typing.ClassVar[Dimension]
+    spatial: typing.ClassVar[Dimension]
+    @typing.overload
+    def __eq__(self, other: Dimension) -> bool:
+        ...
+    @typing.overload
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    @typing.overload
+    def __ne__(self, other: Dimension) -> bool:
+        ...
+    @typing.overload
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class Loads:
+    def __init__(self, rod: Rod) -> None:
+        ...
+    def add_distributed_force(self, force_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+    def add_distributed_moment(self, moment_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+    def add_force(self, force: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], at: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def add_moment(self, moment: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], at: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def end_moment(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    @property
+    def force(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    @property
+    def moment(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    @property
+    def start_moment(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    @property
+    def vertex_forces(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+def solve(rod: Rod, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: Loads, start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, options: Options, trace: collections.abc.Callable | None) -> dict:
+    ...

@@ -1,0 +1,16 @@
+"""
+Stiffnesses (EI1, EI2, GJ, GA1, GA2, EA).
+"""
+from __future__ import annotations
+import typing
+__all__: list[str] = ['check', 'check_material', 'circle', 'rectangle', 'tube']
+def check(EI1: typing.SupportsFloat | typing.SupportsIndex, EI2: typing.SupportsFloat | typing.SupportsIndex, GJ: typing.SupportsFloat | typing.SupportsIndex, GA1: typing.SupportsFloat | typing.SupportsIndex, GA2: typing.SupportsFloat | typing.SupportsIndex, EA: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float, float, float, float]:
+    ...
+def check_material(E: typing.SupportsFloat | typing.SupportsIndex, nu: typing.SupportsFloat | typing.SupportsIndex) -> float:
+    ...
+def circle(radius: typing.SupportsFloat | typing.SupportsIndex, E: typing.SupportsFloat | typing.SupportsIndex, nu: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float, float, float, float]:
+    ...
+def rectangle(width: typing.SupportsFloat | typing.SupportsIndex, height: typing.SupportsFloat | typing.SupportsIndex, E: typing.SupportsFloat | typing.SupportsIndex, nu: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float, float, float, float]:
+    ...
+def tube(outer_radius: typing.SupportsFloat | typing.SupportsIndex, inner_radius: typing.SupportsFloat | typing.SupportsIndex, E: typing.SupportsFloat | typing.SupportsIndex, nu: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float, float, float, float]:
+    ...
