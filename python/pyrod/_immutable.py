@@ -28,6 +28,26 @@ def vector(values: ArrayLike, name: str) -> Array:
     return array
 
 
+def sealed(values: Any) -> Any:
+    """The same values; all arrays in them, also inside of tuples and dicts, are read-only now."""
+    if isinstance(values, np.ndarray):
+        values.flags.writeable = False
+    elif isinstance(values, dict):
+        sealed(tuple(values.values()))
+    elif isinstance(values, tuple):
+        for value in values:
+            sealed(value)
+    return values
+
+
+def _equal(a: Any, b: Any) -> bool:
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(_equal(a[key], b[key]) for key in a)
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        return np.array_equal(a, b)
+    return bool(a == b)
+
+
 class Immutable:
     """Base of the frozen dataclasses: equality of arrays, and pickles that stay read-only."""
 
@@ -39,7 +59,7 @@ class Immutable:
         if type(self) is not type(other):
             return NotImplemented
         return all(
-            np.array_equal(getattr(self, f.name), getattr(other, f.name))
+            _equal(getattr(self, f.name), getattr(other, f.name))
             for f in fields(self)  # type: ignore[arg-type]
             if f.compare
         )
@@ -51,8 +71,4 @@ class Immutable:
         return {f.name: getattr(self, f.name) for f in fields(self) if f.init}  # type: ignore[arg-type]
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        for value in state.values():
-            for array in value if isinstance(value, tuple) else (value,):
-                if isinstance(array, np.ndarray):
-                    array.flags.writeable = False
-        self._set(**state)
+        self._set(**sealed(state))

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from pyrod import _core
 from pyrod._core import Options
-from pyrod._immutable import Array, Immutable
+from pyrod._immutable import Array, Immutable, sealed
 from pyrod.errors import NotConverged, StrainWarning, UnstableWarning
 from pyrod.rotation import as_frames
 from pyrod.scene import Scene
@@ -165,10 +165,7 @@ def solve(
         _print_iteration if verbose else None,
     )
     time = perf_counter() - began
-    for value in out.values():
-        if isinstance(value, np.ndarray):
-            value.flags.writeable = False
-    result = Equilibrium(scene=scene, time=time, **out)
+    result = Equilibrium(scene=scene, time=time, **sealed(out))
     if strict and not result.converged:
         raise NotConverged(result)
     for category, message in _doubts(result):

@@ -124,6 +124,7 @@ def frame_along(tangent: ArrayLike, normal: ArrayLike | None = None) -> Array:
     if np.linalg.norm(a1) < 1e-6:
         raise ValueError("normal: must not be parallel to the tangent")
     a1 /= np.linalg.norm(a1)
+    a1 -= (a1 @ t) * t  # again, for what cancelled if the normal is near the tangent
     return from_matrix(np.column_stack([a1, np.cross(t, a1), t]))
 
 

@@ -1,0 +1,107 @@
+"""Long solves can be stopped, leave other threads running, and do not disturb each other."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from time import sleep
+
+import numpy as np
+import pytest
+from support import MODELS, ROUND, SOFT, SPACES
+
+import pyrod
+from pyrod import Clamp, Force, Rod, Scene
+
+
+def large(n: int) -> Scene:
+    """Seven iterations."""
+    return Scene(Rod.straight(1.0, n, ROUND), Clamp(), Force((3, 2, -10)))
+
+
+@pytest.mark.skipif(
+    signal.getsignal(signal.SIGINT) is not signal.default_int_handler,
+    reason="Ctrl-C is not Python's",
+)
+def test_ctrl_c_stops_a_solve_within_an_iteration(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pressed after the first line is printed, while the second iteration is under way."""
+    lines, printed = [], threading.Event()
+
+    def listen(line: str, **_: object) -> None:
+        lines.append(line)
+        printed.set()
+
+    def press() -> None:
+        if printed.wait(60):
+            sleep(0.01)
+            os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr("builtins.print", listen)
+    scene, thread = large(500_000), threading.Thread(target=press)
+    with pytest.raises(KeyboardInterrupt):  # noqa: PT012
+        thread.start()
+        pyrod.solve(scene, verbose=True)
+    thread.join()
+    assert 1 <= len(lines) <= 2  # of seven
+    assert pyrod.solve(large(100)) == pyrod.solve(large(100))  # as if nothing had happened
+
+
+def test_an_error_while_printing_stops_the_solve(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full_disk(*_: object, **__: object) -> None:
+        raise OSError("disk full")
+
+    monkeypatch.setattr("builtins.print", full_disk)
+    with pytest.raises(OSError, match="disk full"):
+        pyrod.solve(large(10), verbose=True)
+
+
+def test_other_threads_run_during_a_solve() -> None:
+    """A thread that wakes every millisecond would wake a few times only if the solve held the
+    interpreter's lock between its iterations."""
+    wakes, done = 0, threading.Event()
+
+    def count() -> None:
+        nonlocal wakes
+        while not done.is_set():
+            sleep(1e-3)
+            wakes += 1
+
+    thread = threading.Thread(target=count)
+    scene = large(200_000)
+    thread.start()
+    before = wakes
+    result = pyrod.solve(scene)
+    during = wakes - before
+    done.set()
+    thread.join()
+    assert during > 10 * result.iterations
+
+
+def scenes() -> list[Scene]:
+    rng = np.random.default_rng(1)
+    out = []
+    for model in MODELS:
+        for space in SPACES:
+            for n in (10, 300, 3000):
+                force = rng.normal(size=3) * [5, space == "spatial", 2]
+                moment = (0, 0.3, 0.2 * (space == "spatial"))
+                loads = [Force(force), pyrod.Moment(moment)]
+                out.append(Scene(Rod.straight(1.0, n, SOFT, model), Clamp(), loads, space))
+    return out
+
+
+def test_solves_in_threads_are_the_serial_ones_to_the_bit() -> None:
+    serial = [pyrod.solve(scene) for scene in scenes()]
+    with ThreadPoolExecutor(4) as pool:
+        for _ in range(3):
+            parallel = list(pool.map(pyrod.solve, scenes()))
+            assert parallel == serial
+
+
+def test_one_scene_may_be_solved_by_many_threads() -> None:
+    scene = large(1000)
+    expected = pyrod.solve(scene)
+    with ThreadPoolExecutor(4) as pool:
+        assert all(result == expected for result in pool.map(pyrod.solve, [scene] * 12))

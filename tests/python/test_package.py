@@ -1,0 +1,197 @@
+"""The package: what it ships, what it imports, what its commands and its README do."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import os
+import re
+import subprocess
+import sys
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+
+import pyrod
+from pyrod import plot
+
+PACKAGE = Path(pyrod.__path__[0])
+ROOT = Path(__file__).parents[2]
+BLOCKS = re.findall(
+    r"^```python\n(.*?)^```", (ROOT / "README.md").read_text(), re.DOTALL | re.MULTILINE
+)
+
+
+def python(*arguments: str, **more: str) -> str:
+    """What a fresh interpreter prints."""
+    run = subprocess.run(
+        [sys.executable, *arguments],
+        check=True,
+        capture_output=True,
+        text=True,
+        env={**os.environ, **more},
+    )
+    return run.stdout.strip()
+
+
+# What is shipped ----------------------------------------------------------------------------------
+
+
+def test_types_are_shipped() -> None:
+    assert (PACKAGE / "py.typed").is_file()
+    assert (PACKAGE / "_core" / "__init__.pyi").is_file()
+
+
+def test_stubs_are_those_of_the_compiled_part(tmp_path: Path) -> None:
+    pytest.importorskip("pybind11_stubgen", reason="stubs are compared where pybind11-stubgen is")
+    python("-m", "pybind11_stubgen", "--exit-code", "--output-dir", str(tmp_path), "pyrod._core")
+    fresh = {p.name: p.read_text() for p in (tmp_path / "pyrod" / "_core").glob("*.pyi")}
+    shipped = {p.name: p.read_text() for p in (PACKAGE / "_core").glob("*.pyi")}
+    assert fresh
+    assert shipped == fresh, "run `make stubs`"
+
+
+def test_stubs_name_all_that_is_compiled() -> None:
+    stub = (PACKAGE / "_core" / "__init__.pyi").read_text()
+    for name in vars(pyrod._core):
+        assert name.startswith("__") or re.search(rf"\b{name}\b", stub), name
+
+
+# Commands -----------------------------------------------------------------------------------------
+
+
+def test_version() -> None:
+    assert python("-m", "pyrod", "--version") == pyrod.__version__ == version("pyrod")
+    assert re.fullmatch(r"\d+\.\d+\.\d+", pyrod.__version__)
+
+
+def test_cmakedir_is_a_folder_with_the_config() -> None:
+    folder = Path(python("-m", "pyrod", "--cmakedir"))
+    assert (folder / "pyrodConfig.cmake").is_file()
+    header = next(folder.parents[2].rglob("pyrod.hpp"), None)
+    assert header is not None
+
+
+def test_without_a_command_help_is_shown() -> None:
+    shown = python("-m", "pyrod")
+    assert "--cmakedir" in shown
+    assert "--version" in shown
+
+
+# Imports ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("module", ["matplotlib", "scipy", "mpmath", "hypothesis"])
+def test_import_needs_numpy_only(module: str) -> None:
+    assert python("-c", f"import sys, pyrod; print({module!r} in sys.modules)") == "False"
+
+
+def test_solving_needs_numpy_only() -> None:
+    code = """
+import sys
+sys.modules.update(dict.fromkeys(["scipy", "matplotlib"]))  # any import of them fails
+import pyrod
+rod = pyrod.Rod.straight(1.0, 4, pyrod.Section(1, 1, 1))
+print(pyrod.solve(pyrod.Scene(rod, pyrod.Clamp(), pyrod.Force((1, 0, 0)))).status)
+"""
+    assert python("-c", code) == "converged"
+
+
+# Documentation ------------------------------------------------------------------------------------
+
+PUBLIC = [(name, getattr(pyrod, name)) for name in pyrod.__all__]
+MODULES = [pyrod.rotation, pyrod.curve]
+
+
+def described() -> list[tuple[str, object]]:
+    """Public functions, and methods that are public in public classes."""
+    found = [
+        (f"{m.__name__}.{n}", f) for m in MODULES for n, f in vars(m).items() if is_own(f, m, n)
+    ]
+    found.append(("pyrod.solve", pyrod.solve))
+    for name, thing in PUBLIC:
+        if inspect.isclass(thing) and thing.__module__.startswith("pyrod"):
+            found += [
+                (f"{name}.{member}", getattr(thing, member))
+                for member in vars(thing)
+                if not member.startswith("_") and inspect.isroutine(getattr(thing, member))
+            ]
+    return found
+
+
+def is_own(function: object, module: object, name: str) -> bool:
+    return (
+        inspect.isfunction(function) and function.__module__ == module.__name__ and name[0] != "_"
+    )
+
+
+def test_all_is_sorted_and_there() -> None:
+    assert sorted(pyrod.__all__) == pyrod.__all__
+    star: dict[str, object] = {}
+    exec("from pyrod import *", star)
+    assert set(pyrod.__all__) <= set(star)
+
+
+@pytest.mark.parametrize(("name", "thing"), PUBLIC, ids=pyrod.__all__)
+def test_public_names_are_documented(name: str, thing: object) -> None:
+    doc = inspect.getdoc(thing)
+    assert doc is not None
+    assert len(doc) > 20
+    assert not doc.startswith(f"{name}(")  # what a dataclass makes up
+
+
+@pytest.mark.parametrize(("name", "function"), described(), ids=[name for name, _ in described()])
+def test_public_functions_are_documented(name: str, function: object) -> None:
+    assert len(inspect.getdoc(function) or "") > 10, name
+
+
+@pytest.mark.parametrize(
+    "function", [pyrod.solve, pyrod.curve.strains, pyrod.Rod.energy, plot.draw]
+)
+def test_parameters_are_described(function: object) -> None:
+    doc = inspect.getdoc(function)
+    for parameter in inspect.signature(function).parameters:
+        assert parameter == "self" or re.search(rf"^.*\b{parameter}\b.* : ", doc, re.MULTILINE), (
+            parameter
+        )
+
+
+CLASSES = [
+    pyrod.Rod,
+    pyrod.Scene,
+    pyrod.Clamp,
+    pyrod.Material,
+    pyrod.Section,
+    pyrod.DistributedForce,
+]
+
+
+@pytest.mark.parametrize("made", CLASSES, ids=lambda c: c.__name__)
+def test_fields_are_described(made: type) -> None:
+    doc = inspect.getdoc(made)
+    for parameter in inspect.signature(made).parameters:
+        assert re.search(rf"\b{parameter}\b", doc), parameter
+
+
+def test_modules_are_documented() -> None:
+    for path in PACKAGE.glob("*.py"):
+        if path.stem != "__main__":
+            assert importlib.import_module(f"pyrod.{path.stem}").__doc__, path
+
+
+# README -------------------------------------------------------------------------------------------
+
+
+def test_the_readme_shows_python() -> None:
+    assert len(BLOCKS) > 0
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=[f"block {i}" for i in range(len(BLOCKS))])
+def test_the_readme_runs_as_printed(
+    block: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    exec(compile(block, "README.md", "exec"), {"__name__": "__main__"})
+    for picture in re.findall(r'savefig\("(.*?)"\)', block):
+        assert (tmp_path / picture).stat().st_size > 1000
