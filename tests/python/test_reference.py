@@ -6,6 +6,7 @@ The environment variable PYROD_REFERENCE names another folder of the same form.
 from __future__ import annotations
 
 import os
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -32,7 +33,7 @@ def test_converges_to_the_exact_solution(case: Case, space: str) -> None:
     for quantity in errors[0]:
         e = [level[quantity] for level in errors]
         assert e[-1] < 4e-3, f"{quantity}: {e}"
-        for coarse, fine in zip(e, e[1:], strict=False):
+        for coarse, fine in pairwise(e):
             assert fine < ROUNDING or coarse / fine > 3.4, f"{quantity}: {e}"
 
 

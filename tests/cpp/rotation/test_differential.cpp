@@ -66,8 +66,8 @@ TEST_CASE("N against differences: d(Tᵀm) = (N + ½[m]) du, d(T m) = (N − ½[
     const Vec3 u = random.turn<Spatial>(θ), m = random.vector<3>(), du = random.vector<3>();
     const Mat3 N = LogDifferential(u).N(m);
     const auto T = [&](double t) { return LogDifferential(Vec3(u + t * du)).T(); };
-    check_derivative([&](double t) -> Vec3 { return T(t).transpose() * m; },
-                     (N + skew(m) / 2) * du, step(θ));
+    check_derivative([&](double t) -> Vec3 { return T(t).transpose() * m; }, (N + skew(m) / 2) * du,
+                     step(θ));
     check_derivative([&](double t) -> Vec3 { return T(t) * m; }, (N - skew(m) / 2) * du, step(θ));
   }
 }

@@ -36,7 +36,8 @@ TEST_CASE("planar rotations are the spatial ones about e2") {
     CHECK(distance(embed_spin(cross(v, w)), cross(embed(v), embed(w))) < 1e-16);
     CHECK(distance(embed(Vec2(skew(v) * ψ)), skew(embed(v)) * embed_spin(ψ)) < 1e-16);
     CHECK(distance(embed_spin(rotate_spin(a, ψ)), rotate_spin(q, embed_spin(ψ))) < 1e-15);
-    CHECK(distance(embed_spin(Vec1(spin_skew(φ) * ψ)), spin_skew(embed_spin(φ)) * embed_spin(ψ)) == 0);
+    CHECK(distance(embed_spin(Vec1(spin_skew(φ) * ψ)), spin_skew(embed_spin(φ)) * embed_spin(ψ)) ==
+          0);
   }
 }
 

@@ -97,6 +97,23 @@ TEST_CASE("the logarithm's coefficients are accurate below two pi") {
   CHECK(log_coefficients(-4).slope == log_coefficients(4).slope);
 }
 
+TEST_CASE("half_turn is accurate on both sides of its branch") {
+  Worst cosine, sine;
+  for (const double θ : angles(20, {1})) {
+    const auto half = half_turn(θ * θ);
+    const Long x = std::sqrt(Long(θ * θ)) / 2;  // of the argument as it is rounded
+    const double error = double(std::abs(Long(half.cosine) - std::cos(x)) / 2.2e-16L);
+    if (!(error <= cosine.ulps)) cosine = {error, θ};  // absolute: the cosine has zeros
+    const double relative =
+        double(std::abs(Long(half.sine_over_θ) - exact_sinc(x) / 2) * (1 + x) / 2.2e-16L);
+    if (!(relative <= sine.ulps)) sine = {relative, θ};
+  }
+  CAPTURE(cosine.at);
+  CAPTURE(sine.at);
+  CHECK(cosine.ulps < 6);  // of one; beyond π the rounded root turns by up to an ulp of θ/2
+  CHECK(sine.ulps < 6);
+}
+
 TEST_CASE("half_angle_ratio is accurate up to the full half turn") {
   const auto exact_at = [](Long half) { return std::sin(half); };
   Worst found;

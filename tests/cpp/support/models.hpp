@@ -19,10 +19,10 @@ struct With {
 }  // namespace pyrod::test
 
 #define EACH_SPACE ::pyrod::Planar, ::pyrod::Spatial
-#define EACH_MODEL                                                      \
-  ::pyrod::test::With<::pyrod::Planar, ::pyrod::Cosserat>,              \
-  ::pyrod::test::With<::pyrod::Planar, ::pyrod::ExtensibleKirchhoff>,   \
-  ::pyrod::test::With<::pyrod::Planar, ::pyrod::InextensibleKirchhoff>, \
-  ::pyrod::test::With<::pyrod::Spatial, ::pyrod::Cosserat>,             \
-  ::pyrod::test::With<::pyrod::Spatial, ::pyrod::ExtensibleKirchhoff>,  \
-  ::pyrod::test::With<::pyrod::Spatial, ::pyrod::InextensibleKirchhoff>
+#define EACH_MODEL                                                          \
+  ::pyrod::test::With<::pyrod::Planar, ::pyrod::Cosserat>,                  \
+      ::pyrod::test::With<::pyrod::Planar, ::pyrod::ExtensibleKirchhoff>,   \
+      ::pyrod::test::With<::pyrod::Planar, ::pyrod::InextensibleKirchhoff>, \
+      ::pyrod::test::With<::pyrod::Spatial, ::pyrod::Cosserat>,             \
+      ::pyrod::test::With<::pyrod::Spatial, ::pyrod::ExtensibleKirchhoff>,  \
+      ::pyrod::test::With<::pyrod::Spatial, ::pyrod::InextensibleKirchhoff>

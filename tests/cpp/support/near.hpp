@@ -50,4 +50,6 @@ std::string refusal(const Action& action) {
 
 /// `action` is refused with a message that begins with `beginning`.
 #define CHECK_REFUSED(beginning, ...) \
-  CHECK(::pyrod::test::refusal([&] { (void)(__VA_ARGS__); }).substr(0, std::string(beginning).size()) == beginning)
+  CHECK(::pyrod::test::refusal([&] {  \
+          (void)(__VA_ARGS__);        \
+        }).substr(0, std::string(beginning).size()) == beginning)

@@ -20,14 +20,20 @@ class Grid {
     Δs_ << h_[0] / 2, (h_.head(n - 1) + h_.tail(n - 1)) / 2, h_[n - 1] / 2;
     s_.resize(n + 1);
     s_[0] = 0;
-    long double sum = 0;  // so that 1e6 equal edges end where they should
-    for (Eigen::Index j = 0; j < n; ++j) s_[j + 1] = double(sum += h_[j]);
+    double lost = 0;  // by rounding, given back to the next sum (Kahan)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double h = h_[j] - lost;
+      s_[j + 1] = s_[j] + h;
+      lost = (s_[j + 1] - s_[j]) - h;
+    }
   }
 
   static Grid uniform(double length, int edges) {
     require(edges > 0, "edges: must be at least 1, got ", edges);
     require(std::isfinite(length) && length > 0, "length: must be positive, got ", length);
-    return Grid(Vector::Constant(edges, length / edges));
+    Grid grid(Vector::Constant(edges, length / edges));
+    for (int j = 0; j <= edges; ++j) grid.s_[j] = length * (double(j) / edges);  // ends at `length`
+    return grid;
   }
 
   int edges() const { return int(h_.size()); }

@@ -7,8 +7,7 @@
 
 namespace pyrod {
 
-/// ½ Δs (K − K0)·C(K − K0) as a function of the frames a before and b behind the vertex. Of the
-/// symmetric blocks the upper triangle is filled.
+/// ½ Δs (K − K0)·C(K − K0) as a function of the frames a before and b behind the vertex.
 template <class Space>
 struct TurnJet {
   double energy;
@@ -27,47 +26,61 @@ TurnJet<Planar> bend_twist(const Vec1& u, const PlanarLogDifferential&, const Ve
 
 /// `u` = 2 log W is the turn at the vertex, `C` = (EI1, EI2, GJ) there, `K0` its rest curvature.
 ///
-/// With du = T φ_b − Tᵀφ_a and m = C (u/Δs − K0) the gradient is (−T m, Tᵀ m). The Hessian is
-/// Tᵀ (C/Δs) T, and so on, plus what the change of T adds; that part is written here in closed form:
-/// T has u as eigenvector, so all its products with m collapse to the vectors u, m and u × m.
+/// With du = T φ_b − Tᵀφ_a, k = C/Δs and m = k (u − Δs K0) the gradient is (−T m, Tᵀ m). The
+/// Hessian is Tᵀ k T, T k Tᵀ and −T k T plus, if exact, what the change of T adds. With
+/// T = d I + ½[u] + c u uᵀ all of it collapses to the vectors u, m, k u and their products with u,
+/// and the blocks share their parts (α and M come with the change of T):
+///   bb, aa = B − Q ± O,   ab = −(B + Q) + M + [r],
+///   B = d² k + α I + u eᵀ + e uᵀ,   O = ½ d (k [u] − [u] k) + u oᵀ + o uᵀ,
+///   Q = ¼ [u] k [u],   M = ¼ ([u] [m] + [m] [u]) = ¼ (u mᵀ + m uᵀ) − ½ u·m I.
 template <Curvature kind>
 TurnJet<Spatial> bend_twist(const Vec3& u, const LogDifferential& dlog, const Vec3& C,
                             const Vec3& K0, double Δs) {
-  const Mat3 T = dlog.T();
-  const Vec3 k = C / Δs, strain = u - Δs * K0, m = k.cwiseProduct(strain);
+  const double c = dlog.c(), θ2 = dlog.θ2(), d = 1 - c * θ2;
+  const Vec3 k = (1 / Δs) * C, strain = u - Δs * K0, m = k.cwiseProduct(strain);
+  const Vec3 ku = k.cwiseProduct(u), uxku = u.cross(ku), uxm = u.cross(m);
+  const double um = u.dot(m), uku = u.dot(ku);
+  const Vec3 mean = d * m + c * um * u;  // ½ (T + Tᵀ) m
 
   TurnJet<Spatial> jet;
   jet.energy = m.dot(strain) / 2;
-  jet.a = -(T * m);
-  jet.b = T.transpose() * m;
-  const Mat3 kT = k.asDiagonal() * T, kTt = k.asDiagonal() * T.transpose();
-  for (int i = 0; i < 3; ++i) {
-    for (int l = 0; l < 3; ++l) jet.ab(i, l) = -T.row(i).dot(kT.col(l));
-    for (int l = i; l < 3; ++l) {
-      jet.bb(i, l) = T.col(i).dot(kT.col(l));
-      jet.aa(i, l) = T.row(i).dot(kTt.col(l));
-    }
-  }
+  jet.a = -mean - uxm / 2;
+  jet.b = mean - uxm / 2;
+
+  double α = 0;
+  Vec3 e = c * d * ku + (c * c / 2 * uku) * u;
+  Vec3 o = -c / 2 * uxku;
+  Vec3 r = -c / 2 * u.cross(uxku);
+  for (int i = 0; i < 3; ++i) r[i] -= d / 2 * (k[(i + 1) % 3] + k[(i + 2) % 3]) * u[i];
   if constexpr (kind == Curvature::exact) {
-    const double c = dlog.c(), slope = dlog.slope(), θ2 = dlog.θ2(), um = u.dot(m);
-    const Vec3 w = u.cross(m);
-    const Vec3 even = ((0.25 - c - (c * c + slope) * θ2) * m + (2 * c * c + slope) * um * u) / 2;
-    const Vec3 pb = even - c / 2 * w, pa = even + c / 2 * w;
-    const double α = um * (c * (1 - c * θ2) - 0.25);
-    for (int i = 0; i < 3; ++i) {
-      for (int l = i; l < 3; ++l) {
-        jet.bb(i, l) += u[i] * pb[l] + pb[i] * u[l];
-        jet.aa(i, l) += u[i] * pa[l] + pa[i] * u[l];
-      }
-      jet.bb(i, i) += α;
-      jet.aa(i, i) += α;
+    const double slope = dlog.slope();
+    α = um * (c * d - 0.25);
+    e += (0.25 - c - (c * c + slope) * θ2) / 2 * m + ((2 * c * c + slope) / 2 * um) * u;
+    o -= c / 2 * uxm;
+    r += (0.25 - 3 * c + (c * c - slope) * θ2) / 2 * uxm - c * um * u + m / 2;
+  }
+
+  for (int i = 0; i < 3; ++i) {  // entry (i, i), then (j, l) and (l, j), where a cross product is ∓
+    const int j = (i + 1) % 3, l = (i + 2) % 3;
+    const double Bii = d * d * k[i] + α + 2 * u[i] * e[i], Oii = 2 * u[i] * o[i];
+    const double Qii = -(k[j] * u[l] * u[l] + k[l] * u[j] * u[j]) / 4;
+    jet.bb(i, i) = Bii - Qii + Oii;
+    jet.aa(i, i) = Bii - Qii - Oii;
+    jet.ab(i, i) = -(Bii + Qii);
+
+    const double B = u[j] * e[l] + e[j] * u[l], Q = k[i] * u[j] * u[l] / 4;
+    const double O = u[j] * o[l] + o[j] * u[l] - d / 2 * (k[j] - k[l]) * u[i];
+    jet.bb(j, l) = jet.bb(l, j) = B - Q + O;
+    jet.aa(j, l) = jet.aa(l, j) = B - Q - O;
+    jet.ab(j, l) = -(B + Q) - r[i];
+    jet.ab(l, j) = -(B + Q) + r[i];
+
+    if constexpr (kind == Curvature::exact) {
+      const double M = (u[j] * m[l] + m[j] * u[l]) / 4;
+      jet.ab(i, i) -= (u[j] * m[j] + u[l] * m[l]) / 2;
+      jet.ab(j, l) += M;
+      jet.ab(l, j) += M;
     }
-    // −((N + ½[m]) Tᵀ)ᵀ = −(c u·m T + ¼ u·m I − ½ (1 − cθ²)[m] + (c T m − ¼ m) uᵀ + u vᵀ)
-    const Vec3 left = m / 4 + c * jet.a;
-    const Vec3 v = slope * (θ2 * m - um * u) + 2 * c * m + c / 2 * w;
-    jet.ab += left * u.transpose() + u * v.transpose() - c * um * T;
-    jet.ab += (0.5 - c * θ2 / 2) * skew(m);
-    jet.ab.diagonal().array() -= um / 4;
   }
   return jet;
 }

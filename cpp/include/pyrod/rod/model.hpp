@@ -37,19 +37,15 @@ class Compliance {
   explicit Compliance(const Point<Space>& stiffness)
       : values_(stiffness.template tail<components>().cwiseInverse()) {}
 
-  /// S b.
-  Point<Space> operator*(const Point<Space>& b) const {
-    Point<Space> strain = Point<Space>::Zero();
-    strain.template tail<components>() = values_.cwiseProduct(b.template tail<components>());
-    return strain;
+  /// The diagonal of S.
+  Point<Space> diagonal() const {
+    Point<Space> S = Point<Space>::Zero();
+    S.template tail<components>() = values_;
+    return S;
   }
 
-  /// [b]ᵀ S [b], as a form on rotation vectors.
-  Mat<Space::spin> form(const Point<Space>& b) const {
-    const Mat<dim, Space::spin> B = skew(b);
-    const Mat<components, Space::spin> free = B.template bottomRows<components>();
-    return free.transpose() * values_.asDiagonal() * free;
-  }
+  /// S b.
+  Point<Space> operator*(const Point<Space>& b) const { return diagonal().cwiseProduct(b); }
 
  private:
   Vec<components> values_;

@@ -18,7 +18,7 @@ struct Material {
   double E;   ///< Young's modulus [Pa]
   double nu;  ///< Poisson's ratio, in (−1, 1/2]
 
-  Material(double E, double nu = 0.3) : E(E), nu(nu) {
+  Material(double young, double poisson = 0.3) : E(young), nu(poisson) {
     require(std::isfinite(E) && E > 0, "E: Young's modulus must be positive, got ", E);
     require(nu > -1 && nu <= 0.5, "nu: Poisson's ratio must lie in (-1, 0.5], got ", nu,
             "; to prescribe G independently give the section its own stiffnesses");
@@ -33,9 +33,9 @@ struct Section {
   double EI1, EI2, GJ;                            ///< bending about directors 1 and 2, torsion [N m²]
   double GA1 = rigid, GA2 = rigid, EA = rigid;    ///< shear along directors 1 and 2, stretch [N]
 
-  Section(double EI1, double EI2, double GJ, double GA1 = rigid, double GA2 = rigid,
-          double EA = rigid)
-      : EI1(EI1), EI2(EI2), GJ(GJ), GA1(GA1), GA2(GA2), EA(EA) {
+  Section(double bend1, double bend2, double twist, double shear1 = rigid, double shear2 = rigid,
+          double stretch = rigid)
+      : EI1(bend1), EI2(bend2), GJ(twist), GA1(shear1), GA2(shear2), EA(stretch) {
     check(EI1, "EI1"), check(EI2, "EI2"), check(GJ, "GJ");
     check(GA1, "GA1", true), check(GA2, "GA2", true), check(EA, "EA", true);
     require(std::isinf(GA1) == std::isinf(GA2),

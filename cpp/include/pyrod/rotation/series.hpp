@@ -58,10 +58,10 @@ inline LogCoefficients log_coefficients(double θ) {
       2.07474018785936045e-22, 1.31362418071665338e-24, 8.31800319518926409e-27,
       5.26726299683423087e-29, 3.33548429882214433e-31, 2.11220633231838855e-33,
       1.33756640932152445e-35};
-  constexpr auto slopes = [](const auto& a) {  // of Σ a[m] xᵐ with x = θ²: c'/θ = 2 dc/dx
-    std::array<double, std::tuple_size_v<std::decay_t<decltype(a)>> - 1> b{};
-    for (std::size_t m = 0; m < b.size(); ++m) b[m] = 2 * double(m + 1) * a[m + 1];
-    return b;
+  constexpr auto slopes = [](const auto& of) {  // c'/θ = 2 dc/dx of c = Σ of[m] xᵐ, x = θ²
+    std::array<double, std::tuple_size_v<std::decay_t<decltype(of)>> - 1> out{};
+    for (std::size_t m = 0; m < out.size(); ++m) out[m] = 2 * double(m + 1) * of[m + 1];
+    return out;
   };
   constexpr std::array few{a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7]};
   constexpr auto b = slopes(a);
@@ -79,9 +79,30 @@ inline LogCoefficients log_coefficients(double θ) {
   return {2 * pole + series::horner(a, x), 4 * pole * pole + series::horner(b, x)};
 }
 
+/// cos(θ/2) and sin(θ/2)/θ from θ²: they make a rotation vector a unit quaternion. Below one radian
+/// by Taylor's series, which cost less than the functions and need no θ.
+struct HalfTurn {
+  double cosine, sine_over_θ;
+};
+
+inline HalfTurn half_turn(double θ2) {
+  constexpr std::array cosine{1.,           -1. / 2,         1. / 24,         -1. / 720,
+                              1. / 40320,   -1. / 3628800,   1. / 479001600, -1. / 87178291200};
+  constexpr std::array sine{1.,          -1. / 6,        1. / 120,         -1. / 5040,
+                            1. / 362880, -1. / 39916800, 1. / 6227020800, -1. / 1307674368000};
+  if (θ2 < 1) return {series::horner(cosine, θ2 / 4), series::horner(sine, θ2 / 4) / 2};
+  const double θ = std::sqrt(θ2);
+  return {std::cos(θ / 2), std::sin(θ / 2) / θ};
+}
+
 /// Angle of the point (cosine, sine) divided by its sine part: 2·half_angle_ratio(|v|, w) turns the
 /// vector part v of a unit quaternion into its rotation vector. sine ≥ 0; result in units of 1/sine.
+/// Small angles by the series of the arctangent, which costs less than the function.
 inline double half_angle_ratio(double sine, double cosine) {
+  constexpr std::array atan{1.,       -1. / 3, 1. / 5,   -1. / 7, 1. / 9,   -1. / 11, 1. / 13,
+                            -1. / 15, 1. / 17, -1. / 19, 1. / 21, -1. / 23, 1. / 25};
+  const double tan = sine / cosine;
+  if (cosine > 0 && tan < 0.25) return series::horner(atan, tan * tan) / cosine;
   return sine > 0 ? std::atan2(sine, cosine) / sine : 1 / cosine;
 }
 

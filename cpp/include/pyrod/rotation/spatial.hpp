@@ -27,8 +27,8 @@ inline Mat3 skew(const Vec3& a) {
 
 /// Unit quaternion that turns by the rotation vector φ [rad].
 inline Quaternion exp(const Vec3& φ) {
-  const double half = φ.norm() / 2;
-  return quaternion(std::cos(half), sinc(half) / 2 * φ);
+  const auto [cosine, sine_over_θ] = half_turn(φ.squaredNorm());
+  return quaternion(cosine, sine_over_θ * φ);
 }
 
 /// Rotation vector of a unit quaternion, |log p| in [0, 2π]: Linn's 2 log p̂ = ϑ Û.

@@ -81,14 +81,15 @@ class Newton {
     while (result.iterations() < options_.max_iterations) {
       Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
-      const bool last =
-          curvature_ == Curvature::exact && now.shift == 0 && now.step <= options_.tolerance;
-      const bool found = search(now, last);
+      const bool tiny = now.shift == 0 && now.step <= options_.tolerance;
+      const bool last = tiny && curvature_ == Curvature::exact;
+      const bool found = search(now, tiny);
       result.record.push_back(now);
+      const bool go_on = !trace_ || trace_(now);
       if (!found) return Status::stalled;
       if (!std::isfinite(here_.energy)) return Status::not_finite;
       if (last) return Status::converged;
-      if (trace_ && !trace_(now)) return Status::interrupted;
+      if (!go_on) return Status::interrupted;
     }
     return Status::out_of_iterations;
   }
@@ -140,20 +141,20 @@ class Newton {
         .correct(δ_);
   }
 
-  /// Full step first, then ever smaller ones until one is acceptable; `last` needs no test. If none
-  /// is, the state stays where it was.
-  bool search(Iteration& now, bool last) {
+  /// Full step first, then ever smaller ones until one is acceptable; a `tiny` one, which may change
+  /// the energy by less than rounding does, needs no test. If none is, the state stays where it was.
+  bool search(Iteration& now, bool tiny) {
     const double energy = here_.energy, magnitude = here_.magnitude;
     const double slope = here_.gradient.dot(δ_);
     std::swap(x_, from_);
     for (now.fraction = 1; now.fraction > 1e-8;) {
-      if (now.fraction * now.step < options_.near) curvature_ = Curvature::exact;
+      if (tiny || now.fraction * now.step < options_.near) curvature_ = Curvature::exact;
       trial_ = now.fraction * δ_;
       problem_.move(from_, trial_, x_);
       problem_.linearise(x_, curvature_, here_);
       const double rounding = 1e-13 * (magnitude + here_.magnitude);
       const double goal = energy + 1e-4 * now.fraction * slope + rounding;
-      if (last) return true;
+      if (tiny) return true;
       if (problem_.conservative() ? here_.energy <= goal : progress(slope, now.fraction)) return true;
       now.fraction *= shrink(here_.energy - energy, slope, now.fraction);
     }

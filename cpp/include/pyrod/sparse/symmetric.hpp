@@ -50,7 +50,7 @@ class BlockTridiagonal : public SymmetricMatrix {
   /// Writes block column j: the block above the diagonal (none for j = 0) and the diagonal block,
   /// of which the upper triangle is read.
   void set_column(int j, const Mat<B>& above, const Mat<B>& diagonal) {
-    double* value = values.data() + (j == 0 ? 0 : first_ + (j - 1) * step_);
+    double* value = column(j);
     for (int k = 0; k < B; ++k) {
       if (j > 0)
         for (int i = 0; i < B; ++i) *value++ = above(i, k);
@@ -58,7 +58,18 @@ class BlockTridiagonal : public SymmetricMatrix {
     }
   }
 
+  /// Adds the upper triangle of a block to the diagonal block j.
+  void add_to_diagonal(int j, const Mat<B>& block) {
+    double* value = column(j);
+    for (int k = 0; k < B; ++k) {
+      if (j > 0) value += B;
+      for (int i = 0; i <= k; ++i) *value++ += block(i, k);
+    }
+  }
+
  private:
+  double* column(int j) { return values.data() + (j == 0 ? 0 : first_ + (j - 1) * step_); }
+
   static constexpr std::ptrdiff_t first_ = B * (B + 1) / 2, step_ = first_ + B * B;
 };
 

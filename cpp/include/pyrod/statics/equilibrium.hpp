@@ -64,66 +64,67 @@ class Equilibrium {
   }
 
  private:
-  /// Vertices are worked on in batches, each in short passes: one long pass per vertex would be a
-  /// single chain of dependent operations, and twice as slow.
   static constexpr int batch = 32;
-  using Cells = std::array<TurnJet<Space>, batch>;
 
-  template <Curvature kind>
-  void linearise(const State& q, Storage& out) const {
-    const int n = rod_.edges();
-    Cells cells;
-    Pending last;
-    out.energy = out.magnitude = 0;
-    for (int first = 0; first < n; first += batch) {
-      const int count = std::min(batch, n - first);
-      bend<kind>(q, first, count, cells);
-      for (int i = 0; i < count; ++i) add_station<kind>(q, first + i, cells[i], last, out);
-    }
-    flush(n - 1, Spin<Space>::Zero(), Mat<spin>::Zero(), last, out);
-  }
-
-  /// Bending and twisting at the vertices first … first + count − 1.
-  template <Curvature kind>
-  void bend(const State& q, int first, int count, Cells& cells) const {
+  /// The turns at the vertices of a batch, and the logarithm's differentials there.
+  struct Turns {
     std::array<Spin<Space>, batch> u;
     std::array<typename Space::Differential, batch> dlog;
-    for (int i = 0; i < count; ++i) {
-      const int j = first + i;
-      u[i] = log((j == 0 ? clamp_ : q[j - 1]).conjugate() * q[j]);
-    }
-    for (int i = 0; i < count; ++i) dlog[i] = typename Space::Differential(u[i]);
-    for (int i = 0; i < count; ++i) {
-      const int j = first + i;
-      cells[i] = bend_twist<kind>(u[i], dlog[i], rod_.bending[j], rod_.K0[j], rod_.grid.Δs(j));
-    }
-  }
-
-  /// Blocks of an edge that still lack what the vertex behind it adds.
-  struct Pending {
-    Spin<Space> gradient;
-    Mat<spin> above, diagonal;
   };
 
-  /// Vertex j and the edge behind it.
+  /// Batch by batch in short passes: one long pass would be a single chain of dependent operations,
+  /// and twice as slow. Flattened, as g++ leaves Eigen's calls as calls when it meets many models.
   template <Curvature kind>
-  void add_station(const State& q, int j, const TurnJet<Space>& cell, Pending& last,
-                   Storage& out) const {
-    if (j > 0) flush(j - 1, cell.a, cell.aa, last, out);
-    const auto edge =
-        section_force_term<kind, Space, Model>(q[j], force_[j], compliance_[j], rod_.grid.h(j));
-    out.energy += cell.energy + edge.energy;
-    out.magnitude += cell.energy + std::abs(edge.energy);
-    last = {cell.b + edge.gradient, cell.ab, cell.bb + edge.hessian};
-    if (couple_.empty()) return;
-    last.gradient -= material_couple(q, j);
-    if constexpr (spin == 1) out.energy -= couple_[j][0] * q[j].radians;
+  [[gnu::flatten]] void linearise(const State& q, Storage& out) const {
+    const int n = rod_.edges();
+    Turns turns;
+    out.energy = out.magnitude = 0;
+    for (int first = 0; first < n; first += batch) {
+      const int end = std::min(first + batch, n);
+      measure(q, first, end, turns);
+      for (int j = first; j < end; ++j)
+        add_vertex(j, bend_twist<kind>(turns.u[j - first], turns.dlog[j - first], rod_.bending[j],
+                                       rod_.K0[j], rod_.grid.Δs(j)), out);
+      for (int j = first; j < end; ++j)
+        add_edge(j, section_force_term<kind, Space, Model>(q[j], force_[j], compliance_[j],
+                                                           rod_.grid.h(j)), out);
+    }
+    if (!couple_.empty()) add_couples(q, out);
   }
 
-  void flush(int edge, const Spin<Space>& gradient, const Mat<spin>& diagonal, const Pending& last,
-             Storage& out) const {
-    out.gradient.template segment<spin>(spin * edge) = last.gradient + gradient;
-    out.hessian.set_column(edge, last.above, last.diagonal + diagonal);
+  /// The turns at the vertices first … end − 1.
+  void measure(const State& q, int first, int end, Turns& turns) const {
+    for (int j = first; j < end; ++j)
+      turns.u[j - first] = log((j == 0 ? clamp_ : q[j - 1]).conjugate() * q[j]);
+    for (int i = 0; i < end - first; ++i)
+      turns.dlog[i] = typename Space::Differential(turns.u[i]);
+  }
+
+  /// Vertex j: the first to write what belongs to the edge behind it, the last to add to the edge
+  /// before it. The clamp before vertex 0 does not turn.
+  static void add_vertex(int j, const TurnJet<Space>& cell, Storage& out) {
+    out.energy += cell.energy;
+    out.magnitude += cell.energy;
+    for (int i = 0; i < spin; ++i) out.gradient[spin * j + i] = cell.b[i];
+    out.hessian.set_column(j, cell.ab, cell.bb);
+    if (j == 0) return;
+    for (int i = 0; i < spin; ++i) out.gradient[spin * (j - 1) + i] += cell.a[i];
+    out.hessian.add_to_diagonal(j - 1, cell.aa);
+  }
+
+  /// Edge j, between the vertices j and j + 1.
+  static void add_edge(int j, const EdgeJet<Space>& edge, Storage& out) {
+    out.energy += edge.energy;
+    out.magnitude += std::abs(edge.energy);
+    for (int i = 0; i < spin; ++i) out.gradient[spin * j + i] += edge.gradient[i];
+    out.hessian.add_to_diagonal(j, edge.hessian);
+  }
+
+  void add_couples(const State& q, Storage& out) const {
+    for (int j = 0; j < rod_.edges(); ++j) {
+      out.gradient.template segment<spin>(spin * j) -= material_couple(q, j);
+      if constexpr (spin == 1) out.energy -= couple_[j][0] * q[j].radians;
+    }
   }
 
   Spin<Space> material_couple(const State& q, std::size_t j) const {

@@ -30,7 +30,7 @@ struct Loads {
     const auto& S = grid.arc_lengths();
     int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
     j = std::min(j, grid.edges() - 1);
-    const double t = (s - grid.s(j)) / grid.h(j);
+    const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));  // 1 at the end, exactly
     force[j] += (1 - t) * F;
     force[j + 1] += t * F;
   }
@@ -94,6 +94,14 @@ struct Loads {
     m[couple.size()] = sum;
     for (std::size_t j = couple.size(); j-- > 0;) m[j] = sum += couple[j];
     return m;
+  }
+
+  /// All that acts is finite, and so are the sums.
+  void check() const {
+    for (const auto& n : section_forces())
+      require(n.allFinite(), "loads: the section force is not finite, ", n.transpose());
+    for (const auto& m : couples_behind())
+      require(m.allFinite(), "loads: the moments add up to what is not finite, ", m.transpose());
   }
 
   bool has_couples() const {

@@ -25,12 +25,27 @@ double secant_stiffness(const Point<Space>& b, const Spin<Space>& moment) {
   return std::max(0., lever.dot(moment) / (sine * ψ));
 }
 
+/// Γ·b I − ½ (Γ bᵀ + b Γᵀ) − [b]ᵀ S [b] for a diagonal S, per unit length.
+inline Mat3 force_stiffness(const Vec3& b, const Vec3& Γ, const Vec3& S) {
+  Mat3 H;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    H(i, i) = Γ[j] * b[j] + Γ[k] * b[k] - (S[j] * b[k] * b[k] + S[k] * b[j] * b[j]);
+    H(j, k) = H(k, j) = S[i] * b[j] * b[k] - (Γ[j] * b[k] + b[j] * Γ[k]) / 2;
+  }
+  return H;
+}
+
+inline Mat<1> force_stiffness(const Vec2& b, const Vec2& Γ, const Vec2& S) {
+  return Mat<1>(Γ.dot(b) - (S[0] * b[1] * b[1] + S[1] * b[0] * b[0]));
+}
+
 template <Curvature kind, class Space, class Model>
 EdgeJet<Space> section_force_term(const typename Space::Rotation& frame, const Point<Space>& n,
-                                  const Compliance<Space, Model>& S, double h) {
+                                  const Compliance<Space, Model>& compliance, double h) {
   using Block = Mat<Space::spin>;
-  const Point<Space> e3 = axis<Space>();
-  const Point<Space> b = unrotate(frame, n), strain = S * b, Γ = e3 + strain;
+  const Point<Space> e3 = axis<Space>(), S = compliance.diagonal();
+  const Point<Space> b = unrotate(frame, n), strain = S.cwiseProduct(b), Γ = e3 + strain;
   const Spin<Space> moment = cross(b, Γ);
 
   EdgeJet<Space> jet{-h * b.dot(e3 + strain / 2), h * moment, Block::Zero()};
@@ -39,11 +54,7 @@ EdgeJet<Space> section_force_term(const typename Space::Rotation& frame, const P
     jet.hessian.diagonal().setConstant(k);
     if constexpr (Space::spin == 3) jet.hessian(2, 2) = 0;
   } else {
-    jet.hessian.diagonal().setConstant(Γ.dot(b));
-    if constexpr (Space::spin == 3)
-      jet.hessian -= (Γ * b.transpose() + b * Γ.transpose()) / 2;
-    if constexpr (S.components > 0) jet.hessian -= S.form(b);
-    jet.hessian *= h;
+    jet.hessian = h * force_stiffness(b, Γ, S);
   }
   return jet;
 }

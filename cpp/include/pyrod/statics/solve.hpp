@@ -30,9 +30,11 @@ Rod<Space> restricted(const Rod<Spatial>& rod) {
   return out;
 }
 
-/// Loads in the clamp's frame, restricted to the space.
+/// Loads in the clamp's frame, restricted to the space; what leaves it by more than rounding is
+/// refused.
 template <class Space>
 Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
+  loads.check();
   double scale = 0;
   for (const auto& F : loads.force) scale = std::max(scale, F.norm());
   double spin_scale = loads.end_couple.norm();

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/cantilever.hpp"
+
+namespace pyrod::test {
+
+namespace {
+
+template <class Space, class Model>
+Cantilever<Space, Model> cantilever(const Scene<Space>& scene) {
+  return {scene.rod, scene.r0, scene.q0, scene.loads};
+}
+
+}  // namespace
+
+template <class Space, class Model>
+Solution<Space> solved(const Scene<Space>& scene, const Options& options, const Trace& trace) {
+  return cantilever<Space, Model>(scene).solve(options, trace);
+}
+
+template <class Space, class Model>
+Solution<Space> solved(const Scene<Space>& scene, std::vector<typename Space::Rotation> frames) {
+  return cantilever<Space, Model>(scene).solve(std::move(frames));
+}
+
+#define INSTANTIATE(Space, Model)                                                    \
+  template Solution<Space> solved<Space, Model>(const Scene<Space>&, const Options&, \
+                                                const Trace&);                       \
+  template Solution<Space> solved<Space, Model>(const Scene<Space>&, std::vector<Space::Rotation>);
+INSTANTIATE(Planar, Cosserat)
+INSTANTIATE(Planar, ExtensibleKirchhoff)
+INSTANTIATE(Planar, InextensibleKirchhoff)
+INSTANTIATE(Spatial, Cosserat)
+INSTANTIATE(Spatial, ExtensibleKirchhoff)
+INSTANTIATE(Spatial, InextensibleKirchhoff)
+#undef INSTANTIATE
+
+Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
+                         const Clamp& clamp, const Loads<Spatial>& loads,
+                         const std::vector<Quaternion>& start) {
+  return solve(rod, dimension, model, clamp, loads, start);
+}
+
+template <class Space>
+Scene<Space> rich_scene(int edges, double length, double stiffness) {
+  const double L = length, EI = stiffness, force = EI / (L * L), couple = EI / L;
+  const auto s = [&](double ξ) { return L * (ξ + 0.05 * std::sin(2 * std::numbers::pi * ξ)); };
+  const auto spin = [](double a, double b, double c) { return restrict_spin<Space>({a, b, c}); };
+  const auto point = [](double a, double b, double c) { return restrict_point<Space>({a, b, c}); };
+
+  Vector h(edges);
+  for (int j = 0; j < edges; ++j) h[j] = s(double(j + 1) / edges) - s(double(j) / edges);
+  Rod<Space> rod{Grid(h), {}, {}, {}};
+  for (int j = 0; j <= edges; ++j) {
+    const double x = rod.grid.s(j) / L;
+    rod.bending.push_back(EI * spin(1.5 - 0.5 * x, 1 - 0.3 * x, 0.8 + 0.2 * x * x));
+    rod.K0.push_back(spin(0.5, std::sin(3 * x), 1 - x) / L);
+  }
+  Scene<Space> scene{rod};
+  std::vector<Point<Space>> weight;
+  std::vector<Spin<Space>> twisting;
+  for (int j = 0; j < edges; ++j) {
+    const double x = rod.grid.centre(j) / L;
+    scene.rod.stretching.push_back(force * point(40 + 10 * x, 60, 100 - 20 * x));
+    weight.push_back(force / L * point(0.5, -1, -1 - x));
+    twisting.push_back(couple / L * spin(0.1, 0.2 * x, 0.3));
+  }
+  scene.loads.add_force_per_length(rod.grid, weight);
+  scene.loads.add_couple_per_length(rod.grid, twisting);
+  scene.loads.add_force(rod.grid, force * point(2, 1, -1), L);
+  scene.loads.add_force(rod.grid, force * point(-1, 1, 0.5), L / 2);
+  scene.loads.add_couple(rod.grid, couple * spin(0.3, -0.4, 0.2), L);
+  return scene;
+}
+
+template Scene<Planar> rich_scene(int, double, double);
+template Scene<Spatial> rich_scene(int, double, double);
+
+}  // namespace pyrod::test

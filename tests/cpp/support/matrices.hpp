@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Sparse matrices for tests.
+#pragma once
+
+#include "support/dense.hpp"
+#include "support/random.hpp"
+
+namespace pyrod::test {
+
+/// All of a dense matrix's upper triangle.
+inline SymmetricMatrix sparse(const Dense& A) {
+  SymmetricMatrix out;
+  for (int k = 0; k < A.cols(); ++k) {
+    for (int i = 0; i <= k; ++i) {
+      out.rows.push_back(i);
+      out.values.push_back(A(i, k));
+    }
+    out.starts.push_back(int(out.rows.size()));
+  }
+  return out;
+}
+
+inline Dense random_dense(Random& random, int size) {
+  return Dense::NullaryExpr(size, size,
+                            [&](Eigen::Index, Eigen::Index) { return random.number(); });
+}
+inline Dense random_symmetric(Random& random, int size) {
+  const Dense A = random_dense(random, size);
+  return A + A.transpose();
+}
+inline Dense random_skew(Random& random, int size) {
+  const Dense A = random_dense(random, size);
+  return A - A.transpose();
+}
+inline Dense random_positive(Random& random, int size) {
+  const Dense A = random_dense(random, size);
+  return A * A.transpose() + Dense::Identity(size, size);
+}
+
+template <int B>
+BlockTridiagonal<B> random_chain(Random& random, int blocks) {
+  BlockTridiagonal<B> A(blocks);
+  for (auto& value : A.values) value = random.number();
+  return A;
+}
+
+}  // namespace pyrod::test
