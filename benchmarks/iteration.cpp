@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One Newton iteration in nanoseconds per edge, split, beside a bare CHOLMOD factor + solve of the same
-// matrix in the same run; and a whole solve from the straight start.
+// One Newton iteration in nanoseconds per edge, split, beside a bare CHOLMOD factor + solve of the
+// same matrix in the same run; and a whole solve from the straight start.
 #include "measure.hpp"
 
 #include <pyrod/pyrod.hpp>
@@ -63,13 +63,12 @@ void row(int n) {
   Newton<Equilibrium<Space, Model>> newton(problem);
   const auto start = scene.start().first;
   int iterations = 0;
-  const double newton_time =
-      seconds([&] { iterations = newton.solve(start).iterations(); }, 3);
+  const double newton_time = seconds([&] { iterations = newton.solve(start).iterations(); }, 3);
   const double all = seconds([&] { scene.solve(); }, 3);
   std::printf("%-8s %-12s %8d %6.0f %6.0f %6.0f %6.0f %6.0f %6.0f %6.2f %4d %7.0f %10.3f\n",
               Space::spin == 3 ? "spatial" : "planar", Model::name, n, evaluate, factorise, solve,
-              move, iteration, bare, iteration / bare, iterations,
-              scale * newton_time / iterations, 1e3 * all);
+              move, iteration, bare, iteration / bare, iterations, scale * newton_time / iterations,
+              1e3 * all);
   std::fflush(stdout);
 }
 
@@ -86,10 +85,12 @@ int main(int argc, char** argv) {
   using namespace pyrod;
   const int largest = argc > 1 ? std::atoi(argv[1]) : 1000000;
   std::puts("ns per edge: evaluation (energy, gradient, Hessian), factor, solve, move, the whole");
-  std::puts("iteration, bare CHOLMOD factor + solve, their ratio; iterations of a solve from rest, ns");
+  std::puts(
+      "iteration, bare CHOLMOD factor + solve, their ratio; iterations of a solve from rest, ns");
   std::puts("per edge and iteration of all of Newton; ms of the whole call with results\n");
-  std::puts("space    model               n   eval factor  solve   move   iter   bare  ratio   it  newton"
-            "    call/ms");
+  std::puts(
+      "space    model               n   eval factor  solve   move   iter   bare  ratio   it  newton"
+      "    call/ms");
   for (int n = 100; n <= largest; n *= 10) {
     benchmark::rows<Planar>(n);
     benchmark::rows<Spatial>(n);

@@ -8,7 +8,8 @@
 
 namespace pyrod::benchmark {
 
-/// Median over `batches` of the mean time [s] of one call, each batch at least `least` seconds long.
+/// Median over `batches` of the mean time [s] of one call, each batch at least `least` seconds
+/// long.
 template <class F>
 double seconds(F&& call, int batches = 7, double least = 0.02) {
   using Clock = std::chrono::steady_clock;

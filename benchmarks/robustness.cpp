@@ -18,12 +18,13 @@ Vec3 direction() { return Vec3(normal(), normal(), normal()).normalized(); }
 Solution<Spatial> solve_random(double force, double curvature, double couple) {
   const int n = 64;
   const Vec3 bending(1, std::exp(1.15 * normal()), 0.6 * std::exp(0.5 * normal()));
-  const auto rod = Rod<Spatial>::uniform(Grid::uniform(1, n), bending, Vec3::Ones(),
-                                         curvature * direction());
+  const auto rod =
+      Rod<Spatial>::uniform(Grid::uniform(1, n), bending, Vec3::Ones(), curvature * direction());
   Loads<Spatial> loads(n);
   loads.add_force(rod.grid, force * direction(), 1);
   if (couple > 0) loads.add_couple(rod.grid, couple * direction(), 1);
-  return Cantilever<Spatial, InextensibleKirchhoff>(rod, Vec3::Zero(), Quaternion::Identity(), loads)
+  return Cantilever<Spatial, InextensibleKirchhoff>(rod, Vec3::Zero(), Quaternion::Identity(),
+                                                    loads)
       .solve();
 }
 
@@ -33,8 +34,10 @@ void row(double force, double curvature, double couple) {
   int failed = 0, unstable = 0;
   for (int i = 0; i < rods; ++i) {
     const auto found = solve_random(force, curvature, couple);
-    if (found.status == Status::converged) iterations.push_back(int(found.record.size()));
-    else ++failed;
+    if (found.status == Status::converged)
+      iterations.push_back(int(found.record.size()));
+    else
+      ++failed;
     unstable += found.index > 0;
   }
   std::sort(iterations.begin(), iterations.end());
@@ -48,7 +51,8 @@ void row(double force, double curvature, double couple) {
 }  // namespace
 
 int main() {
-  std::puts("200 random rods a line; F L2/EI1, |K0| L, M L/EI1; iterations: median, 90 %, 99 %, most\n");
+  std::puts(
+      "200 random rods a line; F L2/EI1, |K0| L, M L/EI1; iterations: median, 90 %, 99 %, most\n");
   std::puts("   force     bent   moment   median     90 %     99 %     most   failed unstable");
   for (double force : {1., 10., 100., 1000.})
     for (double curvature : {0., 1.5, 6.}) row(force, curvature, 0);

@@ -96,6 +96,8 @@ py::array_t<double> array(const Vec<N>& v) {
 }
 inline py::array_t<double> array(const Quaternion& q) { return array<4>(coefficients(q)); }
 
-inline py::array_t<double> array(const Vector& v) { return py::array_t<double>(v.size(), v.data()); }
+inline py::array_t<double> array(const Vector& v) {
+  return py::array_t<double>(v.size(), v.data());
+}
 
 }  // namespace pyrod::bind

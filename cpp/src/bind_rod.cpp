@@ -20,9 +20,12 @@ py::tuple columns(Eigen::SparseMatrix<double> H) {
 EnergyJet energy_of(const Rod<Spatial>& rod, ModelKind model, const CosseratCurve<Spatial>& curve,
                     HeldEnds held) {
   switch (model) {
-    case ModelKind::cosserat: return energy<Spatial, Cosserat>(rod, curve, held);
-    case ModelKind::extensible: return energy<Spatial, ExtensibleKirchhoff>(rod, curve, held);
-    case ModelKind::inextensible: break;
+    case ModelKind::cosserat:
+      return energy<Spatial, Cosserat>(rod, curve, held);
+    case ModelKind::extensible:
+      return energy<Spatial, ExtensibleKirchhoff>(rod, curve, held);
+    case ModelKind::inextensible:
+      break;
   }
   return energy<Spatial, InextensibleKirchhoff>(rod, curve, held);
 }
@@ -40,7 +43,9 @@ void rod(py::module_& module) {
                        const Array& K0) {
              require(stretching.ndim() == 2 && stretching.shape(1) == 3,
                      "stretching: expected an array of shape (n, 3), got ", shape_of(stretching));
-             Rod<Spatial> rod{Grid(numbers(h, "edge_lengths")), vectors<3>(bending, "bending"), {},
+             Rod<Spatial> rod{Grid(numbers(h, "edge_lengths")),
+                              vectors<3>(bending, "bending"),
+                              {},
                               vectors<3>(K0, "K0")};
              for (py::ssize_t j = 0; j < stretching.shape(0); ++j)  // may be infinite
                rod.stretching.emplace_back(Eigen::Map<const Vec3>(stretching.data(j, 0)));
@@ -48,19 +53,24 @@ void rod(py::module_& module) {
              return rod;
            }),
            py::arg("edge_lengths"), py::arg("bending"), py::arg("stretching"), py::arg("K0"))
-      .def("at_rest", [](const Rod<Spatial>& rod, const Array& r0, const Array& q0) {
-             const auto curve = rod.at_rest(vector3(r0, "position"), quaternion(q0, "frame"));
-             return py::make_tuple(array<3>(curve.positions), array(curve.frames));
-           }, py::arg("position"), py::arg("frame"))
-      .def("energy", [](const Rod<Spatial>& rod, ModelKind model, const Array& r, const Array& q,
-                        const std::optional<Array>& start, const std::optional<Array>& end) {
-             const auto curve = framed_curve(rod.grid, r, q, start, end);
-             const auto jet =
-                 energy_of(rod, model, curve, {start.has_value(), end.has_value()});
-             return py::make_tuple(jet.bend_twist, jet.stretch_shear, array(jet.gradient),
-                                   columns(jet.hessian));
-           }, py::arg("model"), py::arg("positions"), py::arg("frames"), py::arg("start_frame"),
-           py::arg("end_frame"))
+      .def(
+          "at_rest",
+          [](const Rod<Spatial>& rod, const Array& r0, const Array& q0) {
+            const auto curve = rod.at_rest(vector3(r0, "position"), quaternion(q0, "frame"));
+            return py::make_tuple(array<3>(curve.positions), array(curve.frames));
+          },
+          py::arg("position"), py::arg("frame"))
+      .def(
+          "energy",
+          [](const Rod<Spatial>& rod, ModelKind model, const Array& r, const Array& q,
+             const std::optional<Array>& start, const std::optional<Array>& end) {
+            const auto curve = framed_curve(rod.grid, r, q, start, end);
+            const auto jet = energy_of(rod, model, curve, {start.has_value(), end.has_value()});
+            return py::make_tuple(jet.bend_twist, jet.stretch_shear, array(jet.gradient),
+                                  columns(jet.hessian));
+          },
+          py::arg("model"), py::arg("positions"), py::arg("frames"), py::arg("start_frame"),
+          py::arg("end_frame"))
       .def_property_readonly("arc_lengths",
                              [](const Rod<Spatial>& rod) { return array(rod.grid.arc_lengths()); })
       .def_property_readonly("length", [](const Rod<Spatial>& rod) { return rod.grid.length(); });

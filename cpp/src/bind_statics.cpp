@@ -31,7 +31,9 @@ void bind_fields(py::module_& module, const char* name, const char* doc) {
     });
     if (known != values.size()) {
       std::string names;
-      each([&](const auto& field) { names += (names.empty() ? "" : ", ") + std::string(field.name); });
+      each([&](const auto& field) {
+        names += (names.empty() ? "" : ", ") + std::string(field.name);
+      });
       throw py::type_error("unknown option among the keywords; there are: " + names);
     }
     out.check();
@@ -101,6 +103,7 @@ py::dict results(const Grid& grid, const Solution<Spatial>& s) {
   out["advice"] = std::string(advice(s.status));
   out["index"] = s.index;
   out["residual"] = s.residual;
+  out["load_steps"] = s.load_steps;
   out["record"] = record(s.record);
   return out;
 }
@@ -154,20 +157,34 @@ void statics(py::module_& module) {
   py::class_<GridLoads>(module, "Loads")
       .def(py::init([](const Rod<Spatial>& rod) {
              return GridLoads{rod.grid, Loads<Spatial>(rod.edges())};
-           }), py::arg("rod"))
-      .def("add_force", [](GridLoads& self, const Array& F, double s) {
-             self.loads.add_force(self.grid, vector3(F, "force"), s);
-           }, py::arg("force"), py::arg("at"))
-      .def("add_moment", [](GridLoads& self, const Array& M, double s) {
-             self.loads.add_couple(self.grid, vector3(M, "moment"), s);
-           }, py::arg("moment"), py::arg("at"))
-      .def("add_distributed_force", [](GridLoads& self, const Array& f) {
-             self.loads.add_force_per_length(self.grid, per_edge(self, f, "force_per_length"));
-           }, py::arg("force_per_length"))
-      .def("add_distributed_moment", [](GridLoads& self, const Array& l) {
-             self.loads.add_couple_per_length(self.grid, per_edge(self, l, "moment_per_length"));
-           }, py::arg("moment_per_length"))
-      .def_property_readonly("force", [](const GridLoads& self) { return array<3>(self.loads.force); })
+           }),
+           py::arg("rod"))
+      .def(
+          "add_force",
+          [](GridLoads& self, const Array& F, double s) {
+            self.loads.add_force(self.grid, vector3(F, "force"), s);
+          },
+          py::arg("force"), py::arg("at"))
+      .def(
+          "add_moment",
+          [](GridLoads& self, const Array& M, double s) {
+            self.loads.add_couple(self.grid, vector3(M, "moment"), s);
+          },
+          py::arg("moment"), py::arg("at"))
+      .def(
+          "add_distributed_force",
+          [](GridLoads& self, const Array& f) {
+            self.loads.add_force_per_length(self.grid, per_edge(self, f, "force_per_length"));
+          },
+          py::arg("force_per_length"))
+      .def(
+          "add_distributed_moment",
+          [](GridLoads& self, const Array& l) {
+            self.loads.add_couple_per_length(self.grid, per_edge(self, l, "moment_per_length"));
+          },
+          py::arg("moment_per_length"))
+      .def_property_readonly("force",
+                             [](const GridLoads& self) { return array<3>(self.loads.force); })
       .def_property_readonly("moment",
                              [](const GridLoads& self) { return array<3>(self.loads.couple); })
       .def_property_readonly("end_moment",

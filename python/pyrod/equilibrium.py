@@ -51,6 +51,7 @@ class Equilibrium(Immutable):
         int  #: stability index: directions in which the energy falls; -1 if there is no potential
     )
     residual: float  #: largest unbalanced moment on an edge [N m]
+    load_steps: int  #: 0: all loads at once; else steps in which the forces were brought on
     record: dict[str, Array]  #: one entry per iteration: step [rad], residual, energy, shift, ...
     time: float = field(compare=False)  #: of the solve [s]
 

@@ -666,3 +666,26 @@ def test_infinite_stiffness_is_the_limit_of_large_ones() -> None:
     gaps = [np.linalg.norm(tip(EA) - limit) for EA in (1e4, 1e5, 1e6)]
     np.testing.assert_allclose([gaps[0] / gaps[1], gaps[1] / gaps[2]], 10, rtol=2e-3)
     np.testing.assert_allclose(tip(inf), limit, rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("force", "moment"),
+    [
+        ((7.4, 5.4, -4.0), (-9.0, -4.4, 0.3)),
+        ((-9.7, -2.0, -1.5), (7.9, 3.1, 5.2)),
+        ((4.0, -4.3, 8.1), (4.5, 5.2, 7.2)),
+    ],
+)
+def test_large_moments_and_forces_are_brought_on_in_steps(
+    force: tuple[float, ...], moment: tuple[float, ...]
+) -> None:
+    """Without a potential, Newton's method fails from afar; the call does not."""
+    rod = pyrod.Rod.straight(1.0, 64, pyrod.Section(1, 2, 0.6))
+    scene = pyrod.Scene(rod, pyrod.Clamp(), [pyrod.Force(force), pyrod.Moment(moment)])
+    result = pyrod.solve(scene)
+    assert result.load_steps > 0
+    assert result.residual < 1e-11
+    lever = np.cross(result.tip, force) + moment
+    np.testing.assert_allclose(result.moment[0], lever, atol=1e-10)
+    again = pyrod.solve(scene, start=result)
+    assert (again.iterations, again.load_steps) == (1, 0)

@@ -90,7 +90,7 @@ class Options:
     @property
     def max_iterations(self) -> int:
         """
-        linear solves before giving up
+        linear solves of one run before giving up
         """
     @property
     def near(self) -> float:

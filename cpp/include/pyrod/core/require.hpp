@@ -37,8 +37,8 @@ template <class Derived>
 void require_finite(const Eigen::DenseBase<Derived>& values, std::string_view name) {
   for (Eigen::Index i = 0; i < values.rows(); ++i)
     for (Eigen::Index k = 0; k < values.cols(); ++k)
-      require(std::isfinite(values.derived()(i, k)), name, "[", i, "]: expected finite numbers, got ",
-              values.derived()(i, k));
+      require(std::isfinite(values.derived()(i, k)), name, "[", i,
+              "]: expected finite numbers, got ", values.derived()(i, k));
 }
 
 /// Every entry of `values` is finite and greater than zero.

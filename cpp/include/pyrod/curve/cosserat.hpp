@@ -13,9 +13,9 @@ namespace pyrod {
 /// An end that nothing holds has the frame of its edge: its half cell does not turn.
 template <class Space>
 struct CosseratCurve {
-  std::vector<Point<Space>> positions;                  ///< r_j, n + 1
-  std::vector<typename Space::Rotation> frames;         ///< q_{j-1/2}, n
-  typename Space::Rotation start_frame, end_frame;      ///< q_0, q_n
+  std::vector<Point<Space>> positions;              ///< r_j, n + 1
+  std::vector<typename Space::Rotation> frames;     ///< q_{j-1/2}, n
+  typename Space::Rotation start_frame, end_frame;  ///< q_0, q_n
 
   int edges() const { return int(frames.size()); }
   /// The frame before vertex j, and the one behind it.

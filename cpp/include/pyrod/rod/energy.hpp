@@ -55,9 +55,9 @@ EnergyJet energy(const Rod<Space>& rod, const CosseratCurve<Space>& curve, HeldE
   std::vector<Eigen::Triplet<double>> entries;
 
   for (int j = 0; j < n; ++j) {  // edges: r_j, q_{j+1/2}, r_{j+1} follow each other
-    const auto jet = stretch_shear<Space>(
-        curve.positions[j], curve.positions[j + 1], curve.frames[j],
-        storing_stiffness<Space, Model>(rod.stretching[j]), rod.grid.h(j));
+    const auto jet =
+        stretch_shear<Space>(curve.positions[j], curve.positions[j + 1], curve.frames[j],
+                             storing_stiffness<Space, Model>(rod.stretching[j]), rod.grid.h(j));
     out.stretch_shear += jet.energy;
     out.gradient.template segment<jet.size>(station * j) += jet.gradient;
     detail::add_symmetric(entries, station * j, station * j, jet.hessian);
@@ -65,8 +65,8 @@ EnergyJet energy(const Rod<Space>& rod, const CosseratCurve<Space>& curve, HeldE
   for (int j = 0; j <= n; ++j) {  // vertices
     if ((j == 0 && !held.start) || (j == n && !held.end)) continue;
     const Spin<Space> u = turn(curve, j);
-    const auto jet = bend_twist<Curvature::exact>(u, typename Space::Differential(u), rod.bending[j],
-                                                  rod.K0[j], rod.grid.Δs(j));
+    const auto jet = bend_twist<Curvature::exact>(u, typename Space::Differential(u),
+                                                  rod.bending[j], rod.K0[j], rod.grid.Δs(j));
     out.bend_twist += jet.energy;
     const int a = station * (j - 1) + dim, b = station * j + dim;
     if (j > 0) {

@@ -2,7 +2,8 @@
 /// \file The three rod models as types: which of the strains Γ − e3 may differ from zero.
 ///
 /// A model is a *compliance* S and nothing else: Γ = e3 + S b, with b the material section force. A
-/// strain that a model constrains has S = 0 (Linn B.6); its stiffness is not stored, read or needed.
+/// strain that a model constrains has S = 0 (Linn B.6); its stiffness is not stored, read or
+/// needed.
 #pragma once
 
 #include <pyrod/rotation/space.hpp>

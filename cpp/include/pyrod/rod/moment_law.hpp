@@ -8,8 +8,8 @@
 
 namespace pyrod {
 
-/// M = T m with m = C (u/Δs − K0): the moment from the edge behind on the edge before the vertex, in
-/// the components of the frame before. It is what the energy of the cell exerts, exactly.
+/// M = T m with m = C (u/Δs − K0): the moment from the edge behind on the edge before the vertex,
+/// in the components of the frame before. It is what the energy of the cell exerts, exactly.
 template <class Space>
 Spin<Space> transmitted_moment(const Spin<Space>& u, const Spin<Space>& C, const Spin<Space>& K0,
                                double Δs) {
@@ -17,8 +17,8 @@ Spin<Space> transmitted_moment(const Spin<Space>& u, const Spin<Space>& C, const
   return typename Space::Differential(u).T() * m;
 }
 
-/// The inverse: the turn u at which the cell transmits M. Newton, from the turn that M would make if
-/// moments did not change direction within the cell.
+/// The inverse: the turn u at which the cell transmits M. Newton, from the turn that M would make
+/// if moments did not change direction within the cell.
 template <class Space>
 Spin<Space> turn_under_moment(const Spin<Space>& M, const Spin<Space>& C, const Spin<Space>& K0,
                               double Δs) {

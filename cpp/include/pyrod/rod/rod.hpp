@@ -12,7 +12,7 @@ namespace pyrod {
 template <class Space>
 struct Rod {
   Grid grid;
-  std::vector<Spin<Space>> bending;      ///< C_bt = (EI1, EI2, GJ) at the n + 1 vertices; plane: EI2
+  std::vector<Spin<Space>> bending;  ///< C_bt = (EI1, EI2, GJ) at the n + 1 vertices; plane: EI2
   std::vector<Point<Space>> stretching;  ///< C_es = (GA1, GA2, EA) on the n edges; plane: (GA1, EA)
   std::vector<Spin<Space>> K0;           ///< rest curvature at the n + 1 vertices
 
@@ -47,7 +47,8 @@ struct Rod {
 
   /// The stress-free shape, placed with its start at r0 in the frame q0.
   CosseratCurve<Space> at_rest(const Point<Space>& r0, const typename Space::Rotation& q0) const {
-    return reconstruct<Space>(grid, {K0, std::vector<Point<Space>>(edges(), axis<Space>())}, r0, q0);
+    return reconstruct<Space>(grid, {K0, std::vector<Point<Space>>(edges(), axis<Space>())}, r0,
+                              q0);
   }
 };
 

@@ -30,8 +30,8 @@ struct Material {
 struct Section {
   static constexpr double rigid = std::numeric_limits<double>::infinity();
 
-  double EI1, EI2, GJ;                            ///< bending about directors 1 and 2, torsion [N m²]
-  double GA1 = rigid, GA2 = rigid, EA = rigid;    ///< shear along directors 1 and 2, stretch [N]
+  double EI1, EI2, GJ;                          ///< bending about directors 1 and 2, torsion [N m²]
+  double GA1 = rigid, GA2 = rigid, EA = rigid;  ///< shear along directors 1 and 2, stretch [N]
 
   Section(double bend1, double bend2, double twist, double shear1 = rigid, double shear2 = rigid,
           double stretch = rigid)
@@ -53,7 +53,8 @@ struct Section {
   static Section tube(double outer, double inner, const Material& material,
                       const char* outer_name = "outer_radius") {
     require(std::isfinite(outer) && outer > 0, outer_name, ": must be positive, got ", outer);
-    require(inner >= 0 && inner < outer, "inner_radius: must lie in [0, outer_radius), got ", inner);
+    require(inner >= 0 && inner < outer, "inner_radius: must lie in [0, outer_radius), got ",
+            inner);
     constexpr double π = std::numbers::pi;
     const double a2 = outer * outer, b2 = inner * inner, ν = material.nu;
     const double A = π * (a2 - b2), I = π / 4 * (a2 * a2 - b2 * b2);
@@ -69,8 +70,12 @@ struct Section {
     require(std::isfinite(height) && height > 0, "height: must be positive, got ", height);
     const double A = width * height, ν = material.nu, E = material.E, G = material.G();
     const double κ = 10 * (1 + ν) / (12 + 11 * ν);
-    return {E * A * height * height / 12, E * A * width * width / 12,
-            G * rectangle_torsion(width, height), κ * G * A, κ * G * A, E * A};
+    return {E * A * height * height / 12,
+            E * A * width * width / 12,
+            G * rectangle_torsion(width, height),
+            κ * G * A,
+            κ * G * A,
+            E * A};
   }
 
  private:
@@ -79,7 +84,8 @@ struct Section {
             ": stiffness must be positive", may_be_rigid ? "" : " and finite", ", got ", value);
   }
 
-  /// Saint-Venant's torsion constant: a b³ (1/3 − (64/π⁵)(b/a) Σ tanh(kπa/2b)/k⁵ over odd k), a ≥ b.
+  /// Saint-Venant's torsion constant: a b³ (1/3 − (64/π⁵)(b/a) Σ tanh(kπa/2b)/k⁵ over odd k), a ≥
+  /// b.
   static double rectangle_torsion(double width, double height) {
     constexpr double π = std::numbers::pi;
     const double a = std::max(width, height), b = std::min(width, height);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file Stretching and shearing energy of one edge, Linn (51), with gradient and Hessian in (r, q).
+/// \file Stretching and shearing energy of one edge, Linn (51), with gradient and Hessian in (r,
+/// q).
 #pragma once
 
 #include <pyrod/rod/model.hpp>
@@ -45,8 +46,8 @@ EdgeEnergyJet<Space> stretch_shear(const Point<Space>& r_a, const Point<Space>& 
   Mat<spin> qq = dΓ.transpose() * db;
   qq.diagonal().array() -= b.dot(Γ);
   if constexpr (spin == 3) qq += (Γ * b.transpose() + b * Γ.transpose()) / 2;
-  jet.hessian << rr, -rq, -rr,                         //
-      -rq.transpose(), h * qq, rq.transpose(),         //
+  jet.hessian << rr, -rq, -rr,                  //
+      -rq.transpose(), h * qq, rq.transpose(),  //
       -rr, rq, rr;
   return jet;
 }

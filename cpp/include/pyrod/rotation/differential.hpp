@@ -19,8 +19,7 @@ inline Mat3 exp_differential(const Vec3& u) {
 /// C with cayley(q + dq) = cayley(q) exp(C dq).
 inline Mat3 cayley_differential(const Vec3& q) {
   const double x = q.squaredNorm(), scale = 1 / (1 + x);
-  return 4 * scale * scale *
-         ((1 - x) * Mat3::Identity() - 2 * skew(q) + 2 * q * q.transpose());
+  return 4 * scale * scale * ((1 - x) * Mat3::Identity() - 2 * skew(q) + 2 * q * q.transpose());
 }
 
 /// C⁻¹: dq for a material increment of cayley(q).

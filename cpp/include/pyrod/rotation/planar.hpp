@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// \file Rotations of the plane by one angle, under the names that spatial rotations have.
 ///
-/// The plane is that of the directors a1 and a3: planar vectors are spatial ones without component 2,
-/// and the angle turns about e2, which takes e3 towards e1.
+/// The plane is that of the directors a1 and a3: planar vectors are spatial ones without component
+/// 2, and the angle turns about e2, which takes e3 towards e1.
 #pragma once
 
 #include <pyrod/core/types.hpp>

@@ -33,8 +33,14 @@ constexpr double horner(const std::array<double, N>& a, double x) {
 
 /// (θ − sin θ)/θ³. Taylor below one radian, where the difference would cancel.
 inline double sine_defect(double θ) {
-  constexpr std::array a{1. / 6,          -1. / 120,          1. / 5040,           -1. / 362880,
-                         1. / 39916800,   -1. / 6227020800,   1. / 1307674368000., -1. / 355687428096000.,
+  constexpr std::array a{1. / 6,
+                         -1. / 120,
+                         1. / 5040,
+                         -1. / 362880,
+                         1. / 39916800,
+                         -1. / 6227020800,
+                         1. / 1307674368000.,
+                         -1. / 355687428096000.,
                          1. / 1.21645100408832e17};
   const double x = θ * θ;
   return x < 1 ? series::horner(a, x) : (θ - std::sin(θ)) / (x * θ);
@@ -47,17 +53,17 @@ struct LogCoefficients {
 };
 
 /// Valid for |θ| < 2π. With cot's partial fractions c(θ) = Σ_{k≥1} 2/((2πk)² − θ²): the first term,
-/// which carries the pole at 2π, is kept as it is, the others are summed as a power series in θ² with
-/// radius (4π)². All terms are positive, so nothing cancels. Beyond π the closed form is as good.
+/// which carries the pole at 2π, is kept as it is, the others are summed as a power series in θ²
+/// with radius (4π)². All terms are positive, so nothing cancels. Beyond π the closed form is as
+/// good.
 inline LogCoefficients log_coefficients(double θ) {
   // 2 (ζ(2m+2) − 1)/(2π)^(2m+2)
-  constexpr std::array a{
-      3.26727415121644476e-2,  1.05641107053346990e-4,  5.63737028287684530e-7,
-      3.35714192665745136e-9,  2.07428729041660455e-11, 1.30004821386989740e-13,
-      8.19605205569100860e-16, 5.18011819616972431e-18, 3.27753917470179184e-20,
-      2.07474018785936045e-22, 1.31362418071665338e-24, 8.31800319518926409e-27,
-      5.26726299683423087e-29, 3.33548429882214433e-31, 2.11220633231838855e-33,
-      1.33756640932152445e-35};
+  constexpr std::array a{3.26727415121644476e-2,  1.05641107053346990e-4,  5.63737028287684530e-7,
+                         3.35714192665745136e-9,  2.07428729041660455e-11, 1.30004821386989740e-13,
+                         8.19605205569100860e-16, 5.18011819616972431e-18, 3.27753917470179184e-20,
+                         2.07474018785936045e-22, 1.31362418071665338e-24, 8.31800319518926409e-27,
+                         5.26726299683423087e-29, 3.33548429882214433e-31, 2.11220633231838855e-33,
+                         1.33756640932152445e-35};
   constexpr auto slopes = [](const auto& of) {  // c'/θ = 2 dc/dx of c = Σ of[m] xᵐ, x = θ²
     std::array<double, std::tuple_size_v<std::decay_t<decltype(of)>> - 1> out{};
     for (std::size_t m = 0; m < out.size(); ++m) out[m] = 2 * double(m + 1) * of[m + 1];
@@ -75,7 +81,8 @@ inline LogCoefficients log_coefficients(double θ) {
     return {(1 - xcot) / x, (xcot + ratio * ratio - 2) / (x * x)};
   }
   const double pole = 1 / (4 * π * π - x);
-  if (x < 0.5) return {2 * pole + series::horner(few, x), 4 * pole * pole + series::horner(few_b, x)};
+  if (x < 0.5)
+    return {2 * pole + series::horner(few, x), 4 * pole * pole + series::horner(few_b, x)};
   return {2 * pole + series::horner(a, x), 4 * pole * pole + series::horner(b, x)};
 }
 
@@ -86,9 +93,9 @@ struct HalfTurn {
 };
 
 inline HalfTurn half_turn(double θ2) {
-  constexpr std::array cosine{1.,           -1. / 2,         1. / 24,         -1. / 720,
-                              1. / 40320,   -1. / 3628800,   1. / 479001600, -1. / 87178291200};
-  constexpr std::array sine{1.,          -1. / 6,        1. / 120,         -1. / 5040,
+  constexpr std::array cosine{1.,         -1. / 2,       1. / 24,        -1. / 720,
+                              1. / 40320, -1. / 3628800, 1. / 479001600, -1. / 87178291200};
+  constexpr std::array sine{1.,          -1. / 6,        1. / 120,        -1. / 5040,
                             1. / 362880, -1. / 39916800, 1. / 6227020800, -1. / 1307674368000};
   if (θ2 < 1) return {series::horner(cosine, θ2 / 4), series::horner(sine, θ2 / 4) / 2};
   const double θ = std::sqrt(θ2);
@@ -96,8 +103,8 @@ inline HalfTurn half_turn(double θ2) {
 }
 
 /// Angle of the point (cosine, sine) divided by its sine part: 2·half_angle_ratio(|v|, w) turns the
-/// vector part v of a unit quaternion into its rotation vector. sine ≥ 0; result in units of 1/sine.
-/// Small angles by the series of the arctangent, which costs less than the function.
+/// vector part v of a unit quaternion into its rotation vector. sine ≥ 0; result in units of
+/// 1/sine. Small angles by the series of the arctangent, which costs less than the function.
 inline double half_angle_ratio(double sine, double cosine) {
   constexpr std::array atan{1.,       -1. / 3, 1. / 5,   -1. / 7, 1. / 9,   -1. / 11, 1. / 13,
                             -1. / 15, 1. / 17, -1. / 19, 1. / 21, -1. / 23, 1. / 25};

@@ -19,13 +19,13 @@ namespace pyrod {
 
 /// One line of a solve's record.
 struct Iteration {
-  Curvature curvature;    ///< Hessian the step was made with
-  double energy;          ///< before the step
-  double residual;        ///< largest component of the gradient before the step
-  double step;            ///< largest component [rad] of the step
-  double fraction;        ///< part of the step that was taken, 1 unless it had to be cut
-  double shift;           ///< σ added to the Hessian's diagonal, 0 unless it had to be
-  int factorisations;     ///< 1 unless shifts were tried
+  Curvature curvature;  ///< Hessian the step was made with
+  double energy;        ///< before the step
+  double residual;      ///< largest component of the gradient before the step
+  double step;          ///< largest component [rad] of the step
+  double fraction;      ///< part of the step that was taken, 1 unless it had to be cut
+  double shift;         ///< σ added to the Hessian's diagonal, 0 unless it had to be
+  int factorisations;   ///< 1 unless shifts were tried
 };
 
 template <class State>
@@ -34,7 +34,8 @@ struct Result {
   Status status = Status::out_of_iterations;
   std::vector<Iteration> record;
   double energy = 0, residual = 0;  ///< at `state`
-  int index = -1;  ///< negative eigenvalues of the Hessian, once converged; −1: unknown, or no potential
+  int index =
+      -1;  ///< negative eigenvalues of the Hessian, once converged; −1: unknown, or no potential
 
   int iterations() const { return int(record.size()); }
   bool converged() const { return status == Status::converged; }
@@ -136,13 +137,15 @@ class Newton {
   }
 
   void correct_skew() {
-    SkewCorrected(factor_, [this](const Vector& v, Vector& w) { problem_.multiply_skew(x_, v, w); },
-                  δ_.size())
+    SkewCorrected(
+        factor_, [this](const Vector& v, Vector& w) { problem_.multiply_skew(x_, v, w); },
+        δ_.size())
         .correct(δ_);
   }
 
-  /// Full step first, then ever smaller ones until one is acceptable; a `tiny` one, which may change
-  /// the energy by less than rounding does, needs no test. If none is, the state stays where it was.
+  /// Full step first, then ever smaller ones until one is acceptable; a `tiny` one, which may
+  /// change the energy by less than rounding does, needs no test. If none is, the state stays where
+  /// it was.
   bool search(Iteration& now, bool tiny) {
     const double energy = here_.energy, magnitude = here_.magnitude;
     const double slope = here_.gradient.dot(δ_);
@@ -155,7 +158,8 @@ class Newton {
       const double rounding = 1e-13 * (magnitude + here_.magnitude);
       const double goal = energy + 1e-4 * now.fraction * slope + rounding;
       if (tiny) return true;
-      if (problem_.conservative() ? here_.energy <= goal : progress(slope, now.fraction)) return true;
+      if (problem_.conservative() ? here_.energy <= goal : progress(slope, now.fraction))
+        return true;
       now.fraction *= shrink(here_.energy - energy, slope, now.fraction);
     }
     std::swap(x_, from_);

@@ -11,7 +11,7 @@ namespace pyrod {
 template <class Owner, class T>
 struct Field {
   const char* name;
-  T Owner::*member;
+  T Owner::* member;
   const char* doc;
 };
 
@@ -24,10 +24,11 @@ struct Options {
   static constexpr auto fields() {
     return std::tuple{
         Field<Options, int>{"max_iterations", &Options::max_iterations,
-                            "linear solves before giving up"},
-        Field<Options, double>{"tolerance", &Options::tolerance,
-                               "largest component [rad] of the last full Newton step; the error left "
-                               "is of the order of its square"},
+                            "linear solves of one run before giving up"},
+        Field<Options, double>{
+            "tolerance", &Options::tolerance,
+            "largest component [rad] of the last full Newton step; the error left "
+            "is of the order of its square"},
         Field<Options, double>{"trust", &Options::trust,
                                "longest step [rad] taken on the word of the exact Hessian"},
         Field<Options, double>{"near", &Options::near,

@@ -14,9 +14,10 @@ namespace pyrod {
 template <class Hessian>
 struct Linearisation {
   double energy = 0;
-  double magnitude = 0;  ///< sum of the absolute values the energy was summed from: its rounding scale
+  double magnitude =
+      0;  ///< sum of the absolute values the energy was summed from: its rounding scale
   Vector gradient;
-  Hessian hessian;       ///< symmetric part of the tangent
+  Hessian hessian;  ///< symmetric part of the tangent
 };
 
 template <class P>
@@ -25,11 +26,11 @@ using LinearisationOf = decltype(std::declval<const P&>().linearisation());
 template <class P>
 concept Problem = requires(const P p, const typename P::State x, typename P::State y,
                            LinearisationOf<P> at_x, const Vector v, Vector w) {
-  { p.linearisation() };                            // storage, with the Hessian's pattern
-  { p.linearise(x, Curvature::exact, at_x) };       // energy, gradient and Hessian in one pass
-  { p.move(x, v, y) };                              // y = x moved by the increments v
-  { p.conservative() } -> std::same_as<bool>;       // whether the energy is a potential of all forces
-  { p.multiply_skew(x, v, w) };                     // w = (tangent − symmetric part) v
+  { p.linearisation() };                       // storage, with the Hessian's pattern
+  { p.linearise(x, Curvature::exact, at_x) };  // energy, gradient and Hessian in one pass
+  { p.move(x, v, y) };                         // y = x moved by the increments v
+  { p.conservative() } -> std::same_as<bool>;  // whether the energy is a potential of all forces
+  { p.multiply_skew(x, v, w) };                // w = (tangent − symmetric part) v
 };
 
 }  // namespace pyrod

@@ -20,14 +20,19 @@ struct traits<pyrod::SkewCorrected> : traits<SparseMatrix<double>> {};
 
 namespace pyrod {
 
-/// The operator I + H⁻¹ Z, with H factorised and Z skew. A dead couple on one edge gives Z rank 2, so
-/// that GMRES ends after three products; couples along the rod give a compact operator, and few more.
+/// The operator I + H⁻¹ Z, with H factorised and Z skew. A dead couple on one edge gives Z rank 2,
+/// so that GMRES ends after three products; couples along the rod give a compact operator, and few
+/// more.
 class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
  public:
   using Scalar = double;
   using RealScalar = double;
   using StorageIndex = int;
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
+  enum {
+    ColsAtCompileTime = Eigen::Dynamic,
+    MaxColsAtCompileTime = Eigen::Dynamic,
+    IsRowMajor = false
+  };
 
   SkewCorrected(Cholesky& H, std::function<void(const Vector&, Vector&)> Z, Eigen::Index size)
       : H_(&H), Z_(std::move(Z)), size_(size) {}

@@ -10,11 +10,16 @@ enum class Status { converged, out_of_iterations, stalled, not_finite, interrupt
 
 constexpr std::string_view name(Status status) {
   switch (status) {
-    case Status::converged: return "converged";
-    case Status::out_of_iterations: return "out_of_iterations";
-    case Status::stalled: return "stalled";
-    case Status::not_finite: return "not_finite";
-    case Status::interrupted: return "interrupted";
+    case Status::converged:
+      return "converged";
+    case Status::out_of_iterations:
+      return "out_of_iterations";
+    case Status::stalled:
+      return "stalled";
+    case Status::not_finite:
+      return "not_finite";
+    case Status::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }
@@ -22,7 +27,8 @@ constexpr std::string_view name(Status status) {
 /// What happened and what to try.
 constexpr std::string_view advice(Status status) {
   switch (status) {
-    case Status::converged: return "the last full Newton step was below the tolerance";
+    case Status::converged:
+      return "the last full Newton step was below the tolerance";
     case Status::out_of_iterations:
       return "max_iterations were used up: allow more, use more edges where the rod turns most, or "
              "apply the loads in steps, each started from the result before";
@@ -31,9 +37,11 @@ constexpr std::string_view advice(Status status) {
              "started from the result before; with dead moments in space there may be no "
              "equilibrium near";
     case Status::not_finite:
-      return "numbers overflowed or became undefined: check the magnitudes of loads and stiffnesses, "
+      return "numbers overflowed or became undefined: check the magnitudes of loads and "
+             "stiffnesses, "
              "and use more edges if the rod turns by 2 pi or more from one edge to the next";
-    case Status::interrupted: return "stopped on request; the last iterate is kept";
+    case Status::interrupted:
+      return "stopped on request; the last iterate is kept";
   }
   return "";
 }

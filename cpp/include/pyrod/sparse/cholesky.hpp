@@ -107,8 +107,10 @@ class Cholesky {
     const auto* values = static_cast<const double*>(factor_->x);
     for (std::size_t k = 0; k < factor_->n; ++k) {
       const double pivot = values[starts[k]];
-      if (!std::isfinite(pivot) || pivot == 0) ++count.broken;
-      else if (pivot < 0) ++count.negative;
+      if (!std::isfinite(pivot) || pivot == 0)
+        ++count.broken;
+      else if (pivot < 0)
+        ++count.negative;
     }
     return count;
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pyrod/rod/moment_law.hpp>
-#include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/homotopy.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 
 namespace pyrod {
@@ -22,6 +22,7 @@ struct Solution {
   Status status = Status::out_of_iterations;
   int index = -1;
   double residual = 0;
+  int load_steps = 0;  ///< 0: all loads at once; else steps in which the forces were brought on
   std::vector<Iteration> record;
 
   double energy() const { return bend_twist_energy + stretch_shear_energy; }
@@ -37,9 +38,18 @@ class Cantilever {
   Cantilever(Rod<Space> rod, const Point<Space>& r0, const Rotation& q0, Loads<Space> loads)
       : rod_(std::move(rod)), r0_(r0), q0_(q0), loads_(std::move(loads)) {}
 
+  /// In one call from the start that `start` gives. Where couples have no potential and that fails,
+  /// the forces are brought on step by step, from the shape that the couples alone give.
   Solution<Space> solve(const Options& options = {}, const Trace& trace = {}) const {
+    Problem problem(rod_, q0_, loads_);
     auto [frames, first] = start();
-    return solve_from(std::move(frames), options, trace, first);
+    if (problem.conservative()) return solve_from(std::move(frames), options, trace, first);
+    Options short_of_patience = options;
+    short_of_patience.max_iterations = std::min(options.max_iterations, 30);
+    auto result =
+        Newton<Problem>(problem, short_of_patience, trace).solve(std::move(frames), first);
+    if (result.converged() || result.status == Status::interrupted) return finished(result);
+    return bring_on_forces(problem, result.record, options, trace);
   }
 
   /// From given frames of the edges, which are trusted to be near a solution.
@@ -47,31 +57,57 @@ class Cantilever {
     return solve_from(std::move(frames), options, trace, Curvature::exact);
   }
 
-  /// The shape at rest; where the couples outweigh the forces, the shape that the couples alone give,
-  /// which is a solution already if there are no forces. With it, the Hessian to begin with.
+  /// The shape at rest; where the couples outweigh the forces, the shape that the couples alone
+  /// give, which is a solution already if there are no forces. With it, the Hessian to begin with.
   std::pair<Frames, Curvature> start() const {
-    const auto m = loads_.couples_behind();
-    const auto n = loads_.section_forces();
     double couples = 0, levers = 0;
-    for (const auto& mj : m) couples = std::max(couples, mj.norm());
-    for (const auto& nj : n) levers = std::max(levers, nj.norm() * rod_.grid.length());
+    for (const auto& m : loads_.couples_behind()) couples = std::max(couples, m.norm());
+    for (const auto& n : loads_.section_forces())
+      levers = std::max(levers, n.norm() * rod_.grid.length());
     if (couples <= levers) return {rod_.at_rest(r0_, q0_).frames, Curvature::convex};
+    return {under_couples(), Curvature::exact};
+  }
+
+ private:
+  using Problem = Equilibrium<Space, Model>;
+
+  Solution<Space> solve_from(Frames frames, const Options& options, const Trace& trace,
+                             Curvature first) const {
+    const Problem problem(rod_, q0_, loads_);
+    auto result = Newton<Problem>(problem, options, trace).solve(std::move(frames), first);
+    return finished(result);
+  }
+
+  Solution<Space> bring_on_forces(Problem& problem, const std::vector<Iteration>& before,
+                                  const Options& options, const Trace& trace) const {
+    const auto part_of_forces = [&](double part) {
+      auto forces = loads_.section_forces();
+      for (auto& n : forces) n *= part;
+      problem.set_forces(std::move(forces));
+    };
+    Options of_a_step = options;
+    of_a_step.max_iterations = std::min(options.max_iterations, 12);
+    Newton<Problem> newton(problem, of_a_step, trace);
+    auto path = follow(newton, part_of_forces, under_couples());
+    path.result.record.insert(path.result.record.begin(), before.begin(), before.end());
+    auto out = finished(path.result);
+    out.load_steps = path.steps;
+    return out;
+  }
+
+  /// The shape that the couples alone give the rod, marched along it.
+  Frames under_couples() const {
+    const auto m = loads_.couples_behind();
     Frames frames;
-    frames.reserve(n.size());
+    frames.reserve(m.size());
     for (int j = 0; j < rod_.edges(); ++j) {
       const Rotation& before = j == 0 ? q0_ : frames[j - 1];
       frames.push_back(moved(before, turn_under(before, m[j], j)));
     }
-    return {std::move(frames), Curvature::exact};
+    return frames;
   }
 
- private:
-  Solution<Space> solve_from(Frames frames, const Options& options, const Trace& trace,
-                             Curvature first) const {
-    const Equilibrium<Space, Model> problem(rod_, q0_, loads_);
-    Newton<Equilibrium<Space, Model>> newton(problem, options, trace);
-    auto result = newton.solve(std::move(frames), first);
-
+  Solution<Space> finished(Result<Frames>& result) const {
     Solution<Space> out;
     out.status = result.status;
     out.index = result.index;
@@ -111,13 +147,13 @@ class Cantilever {
       const Spin<Space> ΔK = u / Δs - K0, M = C.cwiseProduct(ΔK);
       out.strains.K.push_back(u / Δs);
       out.material_moment.push_back(M);
-      out.moment.push_back(rotate_spin(out.curve.frame_before(j),
-                                       transmitted_moment<Space>(u, C, K0, Δs)));
+      out.moment.push_back(
+          rotate_spin(out.curve.frame_before(j), transmitted_moment<Space>(u, C, K0, Δs)));
       out.bend_twist_energy += Δs * ΔK.dot(M) / 2;
     }
     for (int j = 0; j < n; ++j)
-      out.stretch_shear_energy += rod_.grid.h(j) / 2 *
-                                  (out.strains.Γ[j] - axis<Space>()).dot(out.material_force[j]);
+      out.stretch_shear_energy +=
+          rod_.grid.h(j) / 2 * (out.strains.Γ[j] - axis<Space>()).dot(out.material_force[j]);
   }
 
   /// The turn at vertex j under the spatial moment m, seen from the frame before it.

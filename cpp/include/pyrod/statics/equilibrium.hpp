@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file Equilibrium of a rod clamped at its start and free at its end, as a problem for the solver.
+/// \file Equilibrium of a rod clamped at its start and free at its end, as a problem for the
+/// solver.
 ///
 /// The loads give the section force on every edge, so the unknowns are the frames of the edges and
 /// nothing else: one number per edge in the plane and three in space, for all three models. What is
@@ -35,14 +36,19 @@ class Equilibrium {
     }
   }
 
+  /// Replaces the section forces; the couples stay.
+  void set_forces(std::vector<Point<Space>> n) { force_ = std::move(n); }
+
   Storage linearisation() const {
     const int n = rod_.edges();
     return {0, 0, Vector::Zero(spin * n), BlockTridiagonal<spin>(n)};
   }
 
   void linearise(const State& q, Curvature curvature, Storage& out) const {
-    if (curvature == Curvature::exact) linearise<Curvature::exact>(q, out);
-    else linearise<Curvature::convex>(q, out);
+    if (curvature == Curvature::exact)
+      linearise<Curvature::exact>(q, out);
+    else
+      linearise<Curvature::convex>(q, out);
   }
 
   void move(const State& q, const Vector& δ, State& out) const {
@@ -83,11 +89,15 @@ class Equilibrium {
       const int end = std::min(first + batch, n);
       measure(q, first, end, turns);
       for (int j = first; j < end; ++j)
-        add_vertex(j, bend_twist<kind>(turns.u[j - first], turns.dlog[j - first], rod_.bending[j],
-                                       rod_.K0[j], rod_.grid.Δs(j)), out);
+        add_vertex(j,
+                   bend_twist<kind>(turns.u[j - first], turns.dlog[j - first], rod_.bending[j],
+                                    rod_.K0[j], rod_.grid.Δs(j)),
+                   out);
       for (int j = first; j < end; ++j)
-        add_edge(j, section_force_term<kind, Space, Model>(q[j], force_[j], compliance_[j],
-                                                           rod_.grid.h(j)), out);
+        add_edge(
+            j,
+            section_force_term<kind, Space, Model>(q[j], force_[j], compliance_[j], rod_.grid.h(j)),
+            out);
     }
     if (!couple_.empty()) add_couples(q, out);
   }
@@ -96,8 +106,7 @@ class Equilibrium {
   void measure(const State& q, int first, int end, Turns& turns) const {
     for (int j = first; j < end; ++j)
       turns.u[j - first] = log((j == 0 ? clamp_ : q[j - 1]).conjugate() * q[j]);
-    for (int i = 0; i < end - first; ++i)
-      turns.dlog[i] = typename Space::Differential(turns.u[i]);
+    for (int i = 0; i < end - first; ++i) turns.dlog[i] = typename Space::Differential(turns.u[i]);
   }
 
   /// Vertex j: the first to write what belongs to the edge behind it, the last to add to the edge

@@ -10,12 +10,13 @@
 
 namespace pyrod {
 
-/// Loads fixed in space, all in spatial components. A force at a vertex acts on its position, a couple
-/// on an edge acts on its frame; the end couple acts on the end of the rod, behind the last half cell.
+/// Loads fixed in space, all in spatial components. A force at a vertex acts on its position, a
+/// couple on an edge acts on its frame; the end couple acts on the end of the rod, behind the last
+/// half cell.
 template <class Space>
 struct Loads {
-  std::vector<Point<Space>> force;   ///< on the n + 1 vertices
-  std::vector<Spin<Space>> couple;   ///< on the n edges
+  std::vector<Point<Space>> force;  ///< on the n + 1 vertices
+  std::vector<Spin<Space>> couple;  ///< on the n edges
   Spin<Space> end_couple = Spin<Space>::Zero();
   Spin<Space> start_couple = Spin<Space>::Zero();  ///< what falls to the start: no edge feels it
   Point<Space> start_share = Point<Space>::Zero(), end_share = Point<Space>::Zero();
@@ -75,8 +76,8 @@ struct Loads {
     return n;
   }
 
-  /// n(s_j): the section force at the vertices, just inside the rod at its ends; where a point force
-  /// acts, between its values on either side.
+  /// n(s_j): the section force at the vertices, just inside the rod at its ends; where a point
+  /// force acts, between its values on either side.
   std::vector<Point<Space>> vertex_forces(const Grid& grid) const {
     const auto edge = section_forces();
     const int n = grid.edges();

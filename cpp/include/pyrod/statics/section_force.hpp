@@ -15,7 +15,8 @@ struct EdgeJet {
   Mat<Space::spin> hessian;
 };
 
-/// Stiffness against turning away from the direction of the force: moment over angle. Never negative.
+/// Stiffness against turning away from the direction of the force: moment over angle. Never
+/// negative.
 template <class Space>
 double secant_stiffness(const Point<Space>& b, const Spin<Space>& moment) {
   const Point<Space> e3 = axis<Space>();

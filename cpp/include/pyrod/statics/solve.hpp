@@ -24,8 +24,10 @@ Rod<Space> restricted(const Rod<Spatial>& rod) {
   for (const auto& C : rod.stretching) out.stretching.push_back(restrict_point<Space>(C));
   for (std::size_t j = 0; j < rod.K0.size(); ++j) {
     out.K0.push_back(restrict_spin<Space>(rod.K0[j]));
-    require(embed_spin(out.K0[j]) == rod.K0[j], "K0[", j, "]: a planar rod bends about director 2 "
-            "only, got (", rod.K0[j].transpose(), "); choose the spatial rod");
+    require(embed_spin(out.K0[j]) == rod.K0[j], "K0[", j,
+            "]: a planar rod bends about director 2 "
+            "only, got (",
+            rod.K0[j].transpose(), "); choose the spatial rod");
   }
   return out;
 }
@@ -70,9 +72,8 @@ Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
     for (const auto& item : from) to.push_back(map(item));
   };
   const auto frame = [&](const auto& q) { return clamp.frame * embed(q); };
-  to_space(local.curve.positions, out.curve.positions, [&](const auto& r) -> Vec3 {
-    return clamp.position + rotate(clamp.frame, embed(r));
-  });
+  to_space(local.curve.positions, out.curve.positions,
+           [&](const auto& r) -> Vec3 { return clamp.position + rotate(clamp.frame, embed(r)); });
   to_space(local.curve.frames, out.curve.frames, frame);
   out.curve.start_frame = clamp.frame;
   out.curve.end_frame = frame(local.curve.end_frame);
@@ -90,12 +91,13 @@ Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
   out.status = local.status;
   out.index = local.index;
   out.residual = local.residual;
+  out.load_steps = local.load_steps;
   out.record = local.record;
   return out;
 }
 
-/// Equilibrium of a rod held by `clamp` under dead loads. `start`: frames of the edges to start from,
-/// trusted to be near; none: the shape at rest.
+/// Equilibrium of a rod held by `clamp` under dead loads. `start`: frames of the edges to start
+/// from, trusted to be near; none: the shape at rest.
 template <class Space, class Model>
 Solution<Spatial> solve(const Rod<Spatial>& rod, const Clamp& clamp, const Loads<Spatial>& loads,
                         const std::vector<Quaternion>& start = {}, const Options& options = {},
@@ -119,9 +121,12 @@ inline Solution<Spatial> solve(const Rod<Spatial>& rod, Dimension dimension, Mod
       return solve<Space, M>(rod, clamp, loads, start, options, trace);
     };
     switch (model) {
-      case ModelKind::cosserat: return with(Cosserat{});
-      case ModelKind::extensible: return with(ExtensibleKirchhoff{});
-      case ModelKind::inextensible: break;
+      case ModelKind::cosserat:
+        return with(Cosserat{});
+      case ModelKind::extensible:
+        return with(ExtensibleKirchhoff{});
+      case ModelKind::inextensible:
+        break;
     }
     return with(InextensibleKirchhoff{});
   };

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Following a solution while one parameter of the problem goes from 0 to 1. It knows no
+/// rods.
+#pragma once
+
+#include <pyrod/solve/newton.hpp>
+
+namespace pyrod {
+
+template <class State>
+struct Path {
+  Result<State> result;  ///< at the parameter 1 if converged; its record is that of all steps
+  int steps = 0;         ///< tried, also those that failed
+};
+
+/// The last resort where Newton's method fails from afar. `set(λ)` changes the problem that
+/// `newton` solves; `start` is near its solution at λ = 0. A step that fails is tried again at a
+/// quarter of its length, easy ones let the next be twice as long.
+template <Problem P, class Set>
+Path<typename P::State> follow(Newton<P>& newton, Set&& set, typename P::State start,
+                               double shortest = 1e-4) {
+  constexpr int easy = 5;  // iterations
+  Path<typename P::State> path;
+  std::vector<Iteration> record;
+  const auto solve_at = [&](double λ, const typename P::State& from) {
+    set(λ);
+    auto result = newton.solve(from, Curvature::exact);
+    record.insert(record.end(), result.record.begin(), result.record.end());
+    ++path.steps;
+    return result;
+  };
+  path.result = solve_at(0, start);
+  double λ = 0, step = 0.25;
+  while (path.result.converged() && λ < 1) {
+    const double next = std::min(1., λ + step);
+    auto trial = solve_at(next, path.result.state);
+    if (trial.converged()) {
+      λ = next;
+      if (trial.iterations() <= easy) step *= 2;
+    } else if (trial.status != Status::interrupted && (step /= 4) > shortest) {
+      continue;
+    }
+    path.result = std::move(trial);
+  }
+  path.result.record = std::move(record);
+  return path;
+}
+
+}  // namespace pyrod
