@@ -83,7 +83,7 @@ class Newton {
       Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
       const bool tiny = now.shift == 0 && now.step <= options_.tolerance;
-      const bool last = tiny && curvature_ == Curvature::exact;
+      const bool last = tiny && curvature_ == Curvature::exact && accurate();
       const bool found = search(now, tiny);
       result.record.push_back(now);
       const bool go_on = !trace_ || trace_(now);
@@ -141,6 +141,18 @@ class Newton {
         factor_, [this](const Vector& v, Vector& w) { problem_.multiply_skew(x_, v, w); },
         δ_.size())
         .correct(δ_);
+  }
+
+  /// Whether δ solves its linear system: a factor without pivoting can be wrong without a word.
+  bool accurate() {
+    here_.hessian.multiply(δ_, trial_);
+    trial_ += here_.gradient;
+    if (!problem_.conservative()) {
+      Vector skew(δ_.size());
+      problem_.multiply_skew(x_, δ_, skew);
+      trial_ += skew;
+    }
+    return trial_.template lpNorm<Eigen::Infinity>() <= 1e-3 * residual();
   }
 
   /// Full step first, then ever smaller ones until one is acceptable; a `tiny` one, which may
