@@ -14,11 +14,6 @@ using namespace pyrod::test;
 
 namespace {
 
-template <int N>
-Mat<N> full(const Mat<N>& upper) {
-  return upper.template selfadjointView<Eigen::Upper>();
-}
-
 /// One cell with everything at random, and its energy as a function of the two frames.
 template <class Space>
 struct Cell {
@@ -60,7 +55,7 @@ Vec<twice(Space::spin)> gradient(const TurnJet<Space>& jet) {
 template <class Space>
 Mat<twice(Space::spin)> hessian(const TurnJet<Space>& jet) {
   Mat<twice(Space::spin)> H;
-  H << full(jet.aa), jet.ab, jet.ab.transpose(), full(jet.bb);
+  H << jet.aa, jet.ab, jet.ab.transpose(), jet.bb;
   return H;
 }
 

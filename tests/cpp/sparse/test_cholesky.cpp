@@ -38,6 +38,17 @@ TEST_CASE("a chain's factor has no fill") {
   }
 }
 
+TEST_CASE("the numbering is kept: a first unknown that couples to all others fills the factor") {
+  SymmetricMatrix arrow;
+  for (int k = 0; k < 10; ++k) {
+    arrow.rows.push_back(0);
+    if (k > 0) arrow.rows.push_back(k);
+    arrow.starts.push_back(int(arrow.rows.size()));
+  }
+  arrow.values.assign(arrow.rows.size(), 1);
+  CHECK(Cholesky(arrow).factor_entries() == 55);
+}
+
 TEST_CASE("the inertia is that of the eigenvalues, with and without a shift") {
   Random random(3);
   int indefinite = 0;

@@ -12,11 +12,6 @@ using namespace pyrod::test;
 
 namespace {
 
-template <int N>
-Mat<N> full(const Mat<N>& upper) {
-  return upper.template selfadjointView<Eigen::Upper>();
-}
-
 template <class Case, Curvature kind = Curvature::exact>
 auto term(const typename Case::Space::Rotation& frame, const Point<typename Case::Space>& n,
           const Point<typename Case::Space>& stiffness, double h) {
@@ -38,7 +33,7 @@ TEST_CASE_TEMPLATE("an edge under its section force, against differences", Case,
     const auto jet = at(0);
     check_slope([&](double t) { return at(t).energy; }, jet.gradient.dot(φ));
     check_derivative([&](double t) { return at(t).gradient; },
-                     full(jet.hessian) * φ + spin_skew(jet.gradient) * φ / 2);
+                     jet.hessian * φ + spin_skew(jet.gradient) * φ / 2);
     const Point<Space> b = unrotate(frame, n);
     const double expected =
         -0.7 * (b.dot(axis<Space>()) + b.dot(Compliance<Space, typename Case::Model>(C) * b) / 2);
@@ -56,7 +51,7 @@ TEST_CASE_TEMPLATE("the convex Hessian of an edge", Case, EACH_MODEL) {
     const auto convex = term<Case, Curvature::convex>(frame, n, C, 0.7);
     CHECK(convex.energy == exact.energy);
     CHECK(distance(convex.gradient, exact.gradient) == 0);
-    CHECK(eigenvalues(full(convex.hessian))[0] >= 0);
+    CHECK(eigenvalues(convex.hessian)[0] >= 0);
     CHECK(convex.hessian.allFinite());
   }
   // Without a force there is nothing.

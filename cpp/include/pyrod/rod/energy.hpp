@@ -39,11 +39,6 @@ void add_symmetric(std::vector<Eigen::Triplet<double>>& entries, int row, int co
     }
 }
 
-template <class Block>
-Block both_triangles(const Block& upper) {
-  return upper.template selfadjointView<Eigen::Upper>();
-}
-
 }  // namespace detail
 
 template <class Space, class Model>
@@ -71,11 +66,11 @@ EnergyJet energy(const Rod<Space>& rod, const CosseratCurve<Space>& curve, HeldE
     const int a = station * (j - 1) + dim, b = station * j + dim;
     if (j > 0) {
       out.gradient.template segment<spin>(a) += jet.a;
-      detail::add_symmetric(entries, a, a, detail::both_triangles(jet.aa));
+      detail::add_symmetric(entries, a, a, jet.aa);
     }
     if (j < n) {
       out.gradient.template segment<spin>(b) += jet.b;
-      detail::add_symmetric(entries, b, b, detail::both_triangles(jet.bb));
+      detail::add_symmetric(entries, b, b, jet.bb);
     }
     if (j > 0 && j < n) detail::add_symmetric(entries, a, b, jet.ab);
   }
