@@ -77,7 +77,8 @@ TEST_CASE_TEMPLATE("a couple keeps its sum, and its place between two edges", Sp
       Spin<Space> lever = Spin<Space>::Zero();
       for (int j = 0; j < n; ++j) lever += grid.centre(j) * loads.couple[j];
       if (s <= grid.centre(n - 1)) CHECK(distance(lever, s * M) < 1e-14);  // the clamp is at s = 0
-      if (s >= grid.centre(0)) CHECK(distance(sum(loads.couple), M) < 1e-15);
+      CHECK(distance(sum(loads.couple) + loads.start_couple, M) < 1e-15);
+      if (s >= grid.centre(0)) CHECK(loads.start_couple.norm() == 0);
       if (s >= grid.centre(n - 1)) CHECK(distance(loads.couple[n - 1], M) == 0);
     }
     Loads<Space> loads(n);
@@ -122,6 +123,34 @@ TEST_CASE_TEMPLATE("distributed loads", Space, EACH_SPACE) {
   CHECK(distance(first_moment(grid, loads), moment) < 1e-14);
   CHECK(distance(sum(loads.couple), couple) < 1e-14);
   CHECK(loads.end_couple.norm() == 0);
+}
+
+TEST_CASE_TEMPLATE("under an even load the section force at the vertices is exact", Space,
+                   EACH_SPACE) {
+  Random random(7);
+  for (const int n : {1, 2, 6}) {
+    const Grid grid = random.grid(n, 3);
+    const Point<Space> tip = random.vector<Space::dim>(), f = random.vector<Space::dim>();
+    Loads<Space> loads(n);
+    loads.add_force(grid, tip, 3);
+    for (const double part : {0.25, 0.75})
+      loads.add_force_per_length(grid, std::vector<Point<Space>>(n, part * f));
+    const auto force = loads.vertex_forces(grid);
+    REQUIRE(force.size() == n + 1);
+    for (int j = 0; j <= n; ++j) CHECK(distance(force[j], tip + (3 - grid.s(j)) * f) < 1e-14);
+  }
+}
+
+TEST_CASE_TEMPLATE("loads that are not finite, or add up to what is not, are refused", Space,
+                   EACH_SPACE) {
+  Loads<Space> loads(3);
+  loads.force[2][0] = loads.couple[1][0] = 1e308;
+  CHECK_NOTHROW(loads.check());
+  loads.force[3][0] = 1e308;
+  CHECK_REFUSED("loads: the section force is not finite", loads.check());
+  loads.force[3][0] = 0;
+  loads.end_couple[0] = 1e308;
+  CHECK_REFUSED("loads: the moments add up to what is not finite", loads.check());
 }
 
 TEST_CASE_TEMPLATE("sections carry what acts behind them", Space, EACH_SPACE) {

@@ -143,7 +143,8 @@ class Newton {
         .correct(δ_);
   }
 
-  /// Whether δ solves its linear system: a factor without pivoting can be wrong without a word.
+  /// Whether δ solves its linear system, unless the forces are nothing beside what the Hessian
+  /// makes of the tolerance: a factor without pivoting can be wrong without a word.
   bool accurate() {
     here_.hessian.multiply(δ_, trial_);
     trial_ += here_.gradient;
@@ -152,7 +153,10 @@ class Newton {
       problem_.multiply_skew(x_, δ_, skew);
       trial_ += skew;
     }
-    return trial_.template lpNorm<Eigen::Infinity>() <= 1e-3 * residual();
+    const Eigen::Map<const Vector> H(here_.hessian.values.data(),
+                                     Eigen::Index(here_.hessian.values.size()));
+    const double nothing = 1e-16 * options_.tolerance * H.template lpNorm<Eigen::Infinity>();
+    return trial_.template lpNorm<Eigen::Infinity>() <= 1e-3 * residual() + nothing;
   }
 
   /// Full step first, then ever smaller ones until one is acceptable; a `tiny` one, which may
