@@ -546,3 +546,11 @@ def test_repr() -> None:
     assert "stretch_shear=0.0" in repr(
         Rod.straight(1, 2, ROUND).energy(*Rod.straight(1, 2, ROUND).at_rest())
     )
+
+
+def test_rigid_strains_store_no_energy() -> None:
+    rod = Rod.straight(1.0, 2, Section(1, 1, 1), model="cosserat")
+    positions = [[0, 0, 0], [0.1, 0, 0.5], [0.1, 0, 1.2]]
+    energy = rod.energy(positions, [[1, 0, 0, 0]] * 2)
+    assert energy.total == 0
+    assert np.isfinite(energy.gradient).all()

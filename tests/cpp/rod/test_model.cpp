@@ -42,6 +42,12 @@ TEST_CASE_TEMPLATE("compliance and storing stiffness are inverse where a strain 
   for (int i = 0; i < Space::dim; ++i) CHECK((storing[i] != 0) == ((S * b)[i] != 0));
 }
 
+TEST_CASE("what is rigid stores no energy") {
+  const double rigid = std::numeric_limits<double>::infinity();
+  CHECK(storing_stiffness<Spatial, Cosserat>(Vec3(rigid, rigid, 3)) == Vec3(0, 0, 3));
+  CHECK(storing_stiffness<Planar, ExtensibleKirchhoff>(Vec2(2, rigid)) == Vec2::Zero());
+}
+
 TEST_CASE_TEMPLATE("stretch_shear against differences", Space, EACH_SPACE) {
   constexpr int dim = Space::dim, spin = Space::spin;
   using Jet = EdgeEnergyJet<Space>;

@@ -5,6 +5,8 @@
 
 #include <pyrod/rod/model.hpp>
 
+#include <cmath>
+
 namespace pyrod {
 
 /// ½ h (Γ − e3)·C (Γ − e3) as a function of (r_{j-1}, q_{j-1/2}, r_j), in this order.
@@ -16,12 +18,14 @@ struct EdgeEnergyJet {
   Mat<size> hessian;
 };
 
-/// The stiffness C that stores energy in the model: a strain it constrains stores none.
+/// The stiffness C that stores energy in the model: a strain that it constrains, or that an
+/// infinite stiffness forbids, stores none.
 template <class Space, class Model>
 Point<Space> storing_stiffness(const Point<Space>& stiffness) {
   constexpr int components = Compliance<Space, Model>::components;
   Point<Space> C = Point<Space>::Zero();
-  C.template tail<components>() = stiffness.template tail<components>();
+  C.template tail<components>() = stiffness.template tail<components>().unaryExpr(
+      [](double c) { return std::isfinite(c) ? c : 0; });
   return C;
 }
 

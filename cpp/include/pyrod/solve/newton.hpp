@@ -79,6 +79,7 @@ class Newton {
 
  private:
   Status iterate(Result<State>& result) {
+    if (!std::isfinite(here_.energy)) return Status::not_finite;
     while (result.iterations() < options_.max_iterations) {
       Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
