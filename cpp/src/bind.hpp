@@ -8,6 +8,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 void rotation(py::module_& module);
 void section(py::module_& module);
 void curve(py::module_& module);
+void arc(py::module_& module);
 void rod(py::module_& module);
 void statics(py::module_& module);
 
@@ -38,6 +40,14 @@ std::vector<Vec<N>> vectors(const Array& a, const char* name) {
             out[i].transpose());
   }
   return out;
+}
+
+/// The same without a copy, and without looking at the numbers. The array must outlive the view.
+inline std::span<const Vec3> view3(const Array& a, const char* name) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  require(a.ndim() == 2 && a.shape(1) == 3, name, ": expected an array of shape (n, 3), got ",
+          shape_of(a));
+  return {reinterpret_cast<const Vec3*>(a.data()), std::size_t(a.shape(0))};
 }
 
 inline Vec3 vector3(const Array& a, const char* name) {
@@ -87,6 +97,45 @@ inline py::array_t<double> array(const std::vector<Quaternion>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     Eigen::Map<Vec<4>>(out.mutable_data(py::ssize_t(i), 0)) = coefficients(rows[i]);
   return out;
+}
+
+/// A long list as an array that takes it over instead of copying it.
+template <class List>
+py::array_t<double> handed_over(List&& list, std::vector<py::ssize_t> shape) {
+  using Owned = std::decay_t<List>;
+  auto owned = std::make_unique<Owned>(std::forward<List>(list));
+  const auto* data = reinterpret_cast<const double*>(owned->data());
+  const py::capsule owner(owned.release(), [](void* p) { delete static_cast<Owned*>(p); });
+  return py::array_t<double>(std::move(shape), data, owner);
+}
+inline py::array_t<double> handed_over(std::vector<Vec3>&& rows) {
+  const auto n = py::ssize_t(rows.size());
+  return handed_over(std::move(rows), {n, 3});
+}
+inline py::array_t<double> handed_over(Vector&& values) {
+  const auto n = py::ssize_t(values.size());
+  return handed_over(std::move(values), {n});
+}
+inline py::array_t<double> handed_over(std::vector<Quaternion>&& rows) {
+  for (auto& q : rows) q.coeffs() = Vec<4>(q.w(), q.x(), q.y(), q.z());  // scalar first
+  const auto n = py::ssize_t(rows.size());
+  return handed_over(std::move(rows), {n, 4});
+}
+
+/// f() as an array, computed while other threads of Python may run.
+template <class F>
+py::array_t<double> computed(F&& f) {
+  return handed_over([&] {
+    const py::gil_scoped_release release;
+    return f();
+  }());
+}
+
+/// The measure of a turn, by its name.
+inline Measure measure(std::string_view given) {
+  for (const Measure m : {Measure::log, Measure::chord, Measure::cayley})
+    if (given == name(m)) return m;
+  throw InvalidArgument(text("measure: expected log, chord or cayley, got '", given, "'"));
 }
 
 /// A single vector or quaternion as a one-dimensional array.

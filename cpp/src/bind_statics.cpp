@@ -80,12 +80,6 @@ py::dict record(const std::vector<Iteration>& lines) {
   return out;
 }
 
-std::vector<Quaternion> vertex_frames(const Grid& grid, const CosseratCurve<Spatial>& curve) {
-  std::vector<Quaternion> out;
-  for (int j = 0; j < grid.vertices(); ++j) out.push_back(vertex_frame(grid, curve, j));
-  return out;
-}
-
 py::dict results(const Grid& grid, const Solution<Spatial>& s) {
   py::dict out;
   out["positions"] = array<3>(s.curve.positions);

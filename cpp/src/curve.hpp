@@ -11,6 +11,7 @@ namespace pyrod::bind {
 /// of their edge.
 CosseratCurve<Spatial> framed_curve(const Grid& grid, const Array& positions, const Array& frames,
                                     const std::optional<Array>& start_frame,
-                                    const std::optional<Array>& end_frame);
+                                    const std::optional<Array>& end_frame,
+                                    Measure measure = Measure::log);
 
 }  // namespace pyrod::bind

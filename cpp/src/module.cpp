@@ -6,6 +6,7 @@ PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   pyrod::bind::rotation(module);
   pyrod::bind::section(module);
   pyrod::bind::curve(module);
+  pyrod::bind::arc(module);
   pyrod::bind::rod(module);
   pyrod::bind::statics(module);
 }

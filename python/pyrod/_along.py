@@ -1,9 +1,9 @@
-"""Values along a rod: one for all, one per place, or a function of arc length."""
+"""Sections along a rod: one for all, one per edge, or a function of arc length."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Union, get_args
+from typing import Union, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,31 +13,6 @@ from pyrod.section import Model, Section
 
 Sections = Union[Section, Sequence[Section], Callable[[float], Section]]
 Curvature = Union[ArrayLike, Callable[[float], ArrayLike]]
-
-
-def edge_lengths(length: float | ArrayLike, edges: int | None) -> Array:
-    if edges is None:
-        return np.atleast_1d(np.asarray(length, dtype=np.float64))
-    if edges != int(edges) or edges < 1:
-        raise ValueError(f"edges: must be a whole number, at least 1, got {edges}")
-    if np.ndim(length) != 0:
-        raise ValueError("edges: give None together with the lengths of the edges")
-    if not (np.isfinite(length) and length > 0):  # type: ignore[operator]
-        raise ValueError(f"length: must be positive, got {length!r}")
-    return np.full(int(edges), length / int(edges))  # type: ignore[operator]
-
-
-def sampled(values: Any, at: Array, name: str, place: str) -> Array:
-    """(len(at), 3) from one vector, one per place, or a function of arc length."""
-    if callable(values):
-        values = [np.asarray(values(s), dtype=np.float64) for s in at]
-    array = np.asarray(values, dtype=np.float64)
-    if array.shape not in ((3,), (len(at), 3)):
-        raise ValueError(
-            f"{name}: expected 3 numbers, or {len(at)} times 3 (one per {place}), "
-            f"got shape {array.shape}"
-        )
-    return np.array(np.broadcast_to(array, (len(at), 3)))
 
 
 def stiffness(section: Sections, h: Array) -> tuple[Array, Array, Model]:

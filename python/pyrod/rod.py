@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._along import Curvature, Model, Sections, edge_lengths, sampled, stiffness
+from pyrod._along import Curvature, Model, Sections, stiffness
 from pyrod._immutable import Array, Immutable, frozen
-from pyrod._rest_shape import adapted, rest_curvature
-from pyrod.rotation import as_frames
+from pyrod._rest_shape import rest_curvature, ribbon
+from pyrod._sampling import edge_lengths, sampled
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -126,19 +126,13 @@ class Rod(Immutable):
 
         The frame at the start continues the curvature of the first vertex over the half edge.
         """
-        r = np.asarray(positions, dtype=np.float64)
-        if r.ndim != 2 or r.shape[1] != 3 or len(r) < 2 or not np.isfinite(r).all():
-            raise ValueError(
-                f"positions: expected (n + 1, 3) finite numbers, n >= 1, got shape {r.shape}"
-            )
-        edges = np.diff(r, axis=0)
-        h = np.linalg.norm(edges, axis=1)
-        if not h.all():
-            raise ValueError(f"positions[{int(np.argmin(h)) + 1}]: coincides with the one before")
-        q = adapted(as_frames(frames, "frames"), edges / h[:, None])
-        K0, start = rest_curvature(q, h)
+        shape = ribbon(positions, frames)
+        K0, start = rest_curvature(shape)
+        h = shape.polyline.edge_lengths
         bending, stretching, natural = stiffness(section, h)
-        return cls(h, bending, stretching, K0, model or natural, (r[0], start))
+        return cls(
+            h, bending, stretching, K0, model or natural, (shape.polyline.positions[0], start)
+        )
 
     # Views ---------------------------------------------------------------------------------------
 

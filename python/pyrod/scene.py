@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._along import sampled
 from pyrod._immutable import Array, Immutable, frozen, vector
+from pyrod._sampling import sampled
 from pyrod.rod import Rod
 from pyrod.rotation import as_frames, frame_along
 

@@ -29,6 +29,7 @@ struct Rod {
   /// Refuses what no rod can be made of, naming the place and the remedy.
   void check() const {
     const int n = edges();
+    require(!grid.closed(), "grid: a rod needs an open grid");
     require_count(Eigen::Index(bending.size()), n + 1, "bending", "one per vertex");
     require_count(Eigen::Index(stretching.size()), n, "stretching", "one per edge");
     require_count(Eigen::Index(K0.size()), n + 1, "K0", "one per vertex");

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
 from pyrod._immutable import Array
+
+Measure = Literal["log", "chord", "cayley"]
+"""The size of a turn by theta: theta, 2 sin(theta/2), or 2 tan(theta/2).
+
+All agree to the third order in theta. "log" tells turns of frames up to 2 pi, the others up to pi;
+a chord is at most 2, "cayley" goes to infinity at pi.
+"""
 
 
 def strains(
@@ -15,20 +24,30 @@ def strains(
     frames: ArrayLike,
     start_frame: ArrayLike | None = None,
     end_frame: ArrayLike | None = None,
+    *,
+    measure: Measure = "log",
+    closed: bool = False,
 ) -> tuple[Array, Array]:
     """Material strains of a framed curve, Linn (48) and (50).
 
     Parameters
     ----------
     edge_lengths : (n,) reference lengths h of the edges.
-    positions : (n + 1, 3) vertices.
+    positions : (n + 1, 3) vertices; (n, 3) if closed.
     frames : (n, 4) unit quaternions, the frames of the edges. Signs matter: a turn may reach 2 pi.
     start_frame, end_frame : (4,) frames that hold the ends; an end without one does not turn over
         its half edge.
+    measure : how the turn from one frame to the next is measured, see `Measure`.
+    closed : the last edge leads back to vertex 0, where the smaller of the two possible turns
+        counts.
 
     Returns
     -------
-    K : (n + 1, 3) curvature at the vertices. Gamma : (n, 3) shear and stretch of the edges.
+    K : (n + 1, 3), or (n, 3) if closed: curvature at the vertices. Gamma : (n, 3) shear and stretch
+        of the edges.
+
+    Raises ``ValueError`` where neighbouring frames differ by 2 pi (other measures than "log": by pi
+    or more).
     """
     return _core.curve.strains(
         np.asarray(edge_lengths, dtype=np.float64),
@@ -36,6 +55,8 @@ def strains(
         np.asarray(frames, dtype=np.float64),
         start_frame,
         end_frame,
+        measure,
+        closed,
     )
 
 
@@ -45,11 +66,14 @@ def reconstruct(
     Gamma: ArrayLike | None = None,
     position: ArrayLike = (0.0, 0.0, 0.0),
     frame: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+    *,
+    measure: Measure = "log",
 ) -> tuple[Array, Array, Array]:
     """The curve with the given strains that starts at ``position`` in ``frame``.
 
-    The exact inverse of `strains`. Returns positions (n + 1, 3), frames (n, 4) and the frame of the
-    end (4,). ``Gamma`` defaults to (0, 0, 1) on every edge: neither sheared nor stretched.
+    The exact inverse of `strains` of an open curve. Returns positions (n + 1, 3), frames (n, 4) and
+    the frame of the end (4,). ``Gamma`` defaults to (0, 0, 1) on every edge: neither sheared nor
+    stretched.
     """
     h = np.asarray(edge_lengths, dtype=np.float64)
     if Gamma is None:
@@ -60,4 +84,5 @@ def reconstruct(
         np.asarray(Gamma, dtype=np.float64),
         np.asarray(position, dtype=np.float64),
         np.asarray(frame, dtype=np.float64),
+        measure,
     )

@@ -1,0 +1,29 @@
+"""The difference geometry of framed curves (Linn 2020): polylines, frames, strains, knots.
+
+Needs no mechanics. `Polyline` holds vertices, open or closed, and tells lengths, tangents, Frenet
+curvature and torsion, parallel transport, writhe and link; `FramedCurve` adds a frame to each edge
+and tells its strains and its twist, and rebuilds the curve from them. Frames are unit quaternions
+``(w, x, y, z)`` or rotation matrices with the columns a1, a2, a3; a3 points along the curve.
+
+Arrays have one row per vertex or one per edge. Edge j leads from vertex j to vertex j + 1 (on a
+closed curve the last one leads back to vertex 0), so an open curve of n edges has n + 1 vertices
+and a closed one has n.
+"""
+
+from pyrod.curve._conversions import bishop_from_frenet, frenet_from_bishop, without_repeats
+from pyrod.curve._framed import FramedCurve
+from pyrod.curve._polyline import Approach, Measure, Polyline, linking_number
+from pyrod.curve._strains import reconstruct, strains
+
+__all__ = [
+    "Approach",
+    "FramedCurve",
+    "Measure",
+    "Polyline",
+    "bishop_from_frenet",
+    "frenet_from_bishop",
+    "linking_number",
+    "reconstruct",
+    "strains",
+    "without_repeats",
+]

@@ -1,0 +1,68 @@
+"""Frenet's numbers and Bishop's, and polylines that are not yet regular."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyrod import _core
+from pyrod._immutable import Array
+
+
+def bishop_from_frenet(curvature: ArrayLike, dihedral_angles: ArrayLike) -> Array:
+    """Curvature binormals in the Bishop frame whose a2 is the first binormal.
+
+    Parameters
+    ----------
+    curvature : (n + 1,) kappa at the vertices, in any measure; (n,) if the curve is closed.
+    dihedral_angles : (n,) angles alpha of the edges [rad]: torsion times edge length.
+
+    Returns
+    -------
+    (n + 1, 3) or (n, 3): K = (kappa1, kappa2, 0). Exact at any coarseness: parallel transport keeps
+    binormals at vertices, and along an edge they turn by alpha.
+    """
+    return _core.curve.bishop_curvature(
+        np.asarray(curvature, dtype=np.float64), np.asarray(dihedral_angles, dtype=np.float64)
+    )
+
+
+def frenet_from_bishop(K: ArrayLike) -> tuple[Array, Array]:
+    """The inverse of `bishop_from_frenet`: curvature and dihedral angles, from -pi to pi.
+
+    Parameters
+    ----------
+    K : (n + 1, 3) curvatures in Bishop frames at the vertices of an open curve; the third column,
+        which is zero there, is not looked at.
+
+    Where the curvature vanishes the binormal stays as it was, so that the whole angle falls on the
+    edge into the next bent vertex.
+    """
+    return _core.curve.frenet_numbers(np.asarray(K, dtype=np.float64))
+
+
+def without_repeats(
+    positions: ArrayLike, closed: bool = False, distance: float = 0.0
+) -> tuple[Array, Array]:
+    """Leaves out vertices that coincide with the one kept before them.
+
+    Parameters
+    ----------
+    positions : (m, 3) or (m, 2) vertices.
+    closed : the last vertex is also compared with the first, which repeats it in many files.
+    distance : two vertices coincide if they are no farther apart than this.
+
+    Returns the vertices that are kept, and their indices.
+    """
+    r = np.asarray(positions, dtype=np.float64)
+    if r.ndim != 2:
+        raise ValueError(f"positions: expected shape (m, 3) or (m, 2), got {r.shape}")
+    if not distance >= 0:
+        raise ValueError(f"distance: must not be negative, got {distance}")
+    kept: list[int] = []
+    for j, vertex in enumerate(r):
+        if not kept or np.linalg.norm(vertex - r[kept[-1]]) > distance:
+            kept.append(j)
+    while closed and len(kept) > 1 and np.linalg.norm(r[kept[-1]] - r[kept[0]]) <= distance:
+        kept.pop()
+    return r[kept], np.array(kept)

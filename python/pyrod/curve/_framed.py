@@ -1,0 +1,292 @@
+"""Framed curves: strains, twist and link, and the curves that have them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyrod import _core
+from pyrod._immutable import Array, Immutable, frozen, sealed
+from pyrod._sampling import edge_lengths as lengths_of
+from pyrod._sampling import sampled
+from pyrod.curve._polyline import Polyline, whole
+from pyrod.curve._strains import Measure, reconstruct, strains
+from pyrod.rotation import as_frames, continued, rotate, to_matrix
+
+
+@dataclass(frozen=True, eq=False, init=False, repr=False)
+class FramedCurve(Immutable):
+    """A polyline with a frame on each edge: a discrete Cosserat curve (Linn 2020, sect. 5 and 6).
+
+    Parameters
+    ----------
+    polyline : a `Polyline`, or the positions of an open one.
+    frames : (n, 4) unit quaternions, whose signs matter: a turn may reach 2 pi; or (n, 3, 3)
+        rotation matrices, whose quaternions are given the signs that continue each other.
+    edge_lengths : (n,) reference lengths h; default: those of the polyline.
+    start_frame, end_frame : (4,) or (3, 3) frames that hold the ends of an open curve; an end
+        without one does not turn over its half edge.
+
+    Raises
+    ------
+    ValueError : shapes, frames of another length than 1, neighbours that differ by 2 pi (matrices:
+        by pi), where the turn has lost its axis; with the index and the remedy.
+
+    A ribbon is a curve whose frames are adapted, a3 along the edge. Its K are the normal curvature
+    (bending about a1), the geodesic curvature (about a2, in the surface along a1) and the geodesic
+    torsion.
+    """
+
+    polyline: Polyline
+    frames: Array
+    edge_lengths: Array
+    start_frame: Array | None
+    end_frame: Array | None
+
+    def __init__(
+        self,
+        polyline: Polyline | ArrayLike,
+        frames: ArrayLike,
+        edge_lengths: ArrayLike | None = None,
+        start_frame: ArrayLike | None = None,
+        end_frame: ArrayLike | None = None,
+    ) -> None:
+        if not isinstance(polyline, Polyline):
+            polyline = Polyline(polyline)
+        h = frozen(polyline.edge_lengths if edge_lengths is None else edge_lengths)
+        if h.shape != (polyline.edges,):
+            raise ValueError(f"edge_lengths: expected {polyline.edges}, got shape {h.shape}")
+        q = _signed(frames)
+        self._set(
+            polyline=polyline,
+            frames=frozen(q),
+            edge_lengths=h,
+            start_frame=_held(start_frame, "start_frame", q[:1]),
+            end_frame=_held(end_frame, "end_frame", q[-1:]),
+        )
+        self.twist_angles  # noqa: B018  checks everything
+
+    def __repr__(self) -> str:
+        kind = "closed" if self.polyline.closed else "open"
+        return f"FramedCurve({kind}, edges={self.polyline.edges}, length={self.polyline.length:g})"
+
+    # Makers ---------------------------------------------------------------------------------------
+
+    @classmethod
+    def from_strains(
+        cls,
+        edge_lengths: ArrayLike,
+        K: ArrayLike,
+        Gamma: ArrayLike | None = None,
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        frame: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+        *,
+        measure: Measure = "log",
+    ) -> FramedCurve:
+        """The open curve with these strains, held by its end frames: see `reconstruct`.
+
+        With K = (kappa1, kappa2, 0) its frames are Bishop's.
+        """
+        h = np.asarray(edge_lengths, dtype=np.float64)
+        r, q, end = reconstruct(h, K, Gamma, position, frame, measure=measure)
+        return cls._held_by(r, q, h, frame, end)
+
+    @classmethod
+    def from_frenet(
+        cls,
+        edge_lengths: ArrayLike,
+        curvature: ArrayLike,
+        torsion: ArrayLike,
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        frame: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+        *,
+        measure: Measure = "log",
+    ) -> FramedCurve:
+        """The open curve with this curvature (n + 1,) and torsion (n,), with its Bishop frames.
+
+        ``frame`` is the frame (n, b, t) at the start. The exact inverse of `Polyline.curvature` and
+        `Polyline.torsion`; the curvature of a free end is 0.
+        """
+        h = np.asarray(edge_lengths, dtype=np.float64)
+        r, q, end = _core.curve.reconstruct_frenet(
+            h,
+            np.asarray(curvature, dtype=np.float64),
+            np.asarray(torsion, dtype=np.float64),
+            np.asarray(position, dtype=np.float64),
+            np.asarray(frame, dtype=np.float64),
+            measure,
+        )
+        return cls._held_by(r, q, h, frame, end)
+
+    @classmethod
+    def sampled(
+        cls,
+        length: float | ArrayLike,
+        edges: int | None,
+        K: ArrayLike | Callable[[float], ArrayLike],
+        Gamma: ArrayLike | Callable[[float], ArrayLike] = (0.0, 0.0, 1.0),
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        frame: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+    ) -> FramedCurve:
+        """A smooth curve of given strains, K(s) and Gamma(s), on n edges: second order.
+
+        ``length`` is the length, or with ``edges=None`` the lengths h of the edges. K is taken at
+        the vertices, Gamma at the centres of the edges; exact where both are constant.
+        """
+        h = lengths_of(length, edges)
+        s = np.concatenate([[0.0], np.cumsum(h)])
+        return cls.from_strains(
+            h,
+            sampled(K, s, "K", "vertex"),
+            sampled(Gamma, (s[1:] + s[:-1]) / 2, "Gamma", "edge"),
+            position,
+            frame,
+        )
+
+    @classmethod
+    def _held_by(cls, r: Array, q: Array, h: Array, start: ArrayLike, end: Array) -> FramedCurve:
+        a3 = np.array([0.0, 0.0, 1.0])
+        ends = rotate(np.array([start, end]), a3)
+        return cls(Polyline(r, False, ends[0], ends[1]), q, h, frozen(start), end)
+
+    # Strains --------------------------------------------------------------------------------------
+
+    def strains(self, measure: Measure = "log") -> tuple[Array, Array]:
+        """K at the vertices and Gamma of the edges, Linn (48) and (50): see `strains`."""
+        return strains(*self._whole, measure=measure, closed=self.polyline.closed)
+
+    @cached_property
+    def K(self) -> Array:
+        """Material curvature at the vertices: bending about a1 and a2, twist."""
+        return self._strains[0]
+
+    @cached_property
+    def Gamma(self) -> Array:
+        """(n, 3) shear along a1 and a2, and stretch; (0, 0, 1) for an adapted frame if h is l."""
+        return self._strains[1]
+
+    @cached_property
+    def _strains(self) -> tuple[Array, Array]:
+        return sealed(self.strains())
+
+    @property
+    def _whole(self) -> tuple[Array, Array, Array, Array | None, Array | None]:
+        return (
+            self.edge_lengths,
+            self.polyline.positions,
+            self.frames,
+            self.start_frame,
+            self.end_frame,
+        )
+
+    # Frames ---------------------------------------------------------------------------------------
+
+    @property
+    def matrices(self) -> Array:
+        """(n, 3, 3) the frames as rotation matrices with the columns a1, a2, a3."""
+        return to_matrix(self.frames)
+
+    @cached_property
+    def vertex_frames(self) -> Array:
+        """Frames at the vertices, between those of the edges; at the ends those that hold."""
+        return sealed(_core.curve.vertex_frames(*self._whole, closed=self.polyline.closed))
+
+    def turned(self, angles: ArrayLike) -> FramedCurve:
+        """Every frame turned about its a3 by an angle [rad], one for all or (n,)."""
+        phi = np.array(np.broadcast_to(np.asarray(angles, dtype=np.float64), len(self.frames)))
+        ends = {}
+        for name, angle in (("start_frame", phi[:1]), ("end_frame", phi[-1:])):
+            frame = getattr(self, name)
+            if frame is not None:
+                ends[name] = _core.curve.turned_about_tangents(frame[None], angle)[0]
+        frames = _core.curve.turned_about_tangents(self.frames, phi)
+        return FramedCurve(self.polyline, frames, self.edge_lengths, **ends)
+
+    def adapted(self, limit: float = 0.5) -> FramedCurve:
+        """Every frame turned the least way that brings a3 into the tangent: a ribbon.
+
+        Raises ``ValueError`` where a3 is farther than ``limit`` [rad] from the tangent.
+        """
+        p = self.polyline
+        ends = {}
+        for name, tangent in (("start_frame", p.start_tangent), ("end_frame", p.end_tangent)):
+            frame = getattr(self, name)
+            if frame is not None and tangent is not None:
+                frame = _core.curve.adapted(frame[None], tangent[None], limit)[0]
+            ends[name] = frame
+        frames = _core.curve.adapted(self.frames, p.tangents, limit)
+        return FramedCurve(p, frames, self.edge_lengths, **ends)
+
+    def angles_from(self, other: FramedCurve) -> Array:
+        """(n,) angles [rad] that turn the other frames about their tangents into these.
+
+        For two framings of one curve that are both adapted; continued along it. The inverse of
+        `turned`.
+        """
+        return _core.curve.angles_about_tangents(other.frames, self.frames)
+
+    # Twist and link -------------------------------------------------------------------------------
+
+    @cached_property
+    def twist_angles(self) -> Array:
+        """Angles psi [rad] at the vertices by which the frames turn beside parallel transport."""
+        return sealed(_core.curve.twist_angles(*self._whole, closed=self.polyline.closed))
+
+    @property
+    def twist(self) -> float:
+        """Total twist, in turns."""
+        return float(self.twist_angles.sum() / (2 * np.pi))
+
+    def link(self, threads: int = 0) -> int:
+        """Linking number of a closed ribbon, twist plus writhe (Calugareanu, White, Fuller).
+        O(n^2).
+
+        The frames must be adapted: the twist is that about the edges.
+        """
+        self.polyline._require_closed("link")
+        away = np.abs(rotate(self.frames, [0.0, 0.0, 1.0]) - self.polyline.tangents).max(axis=1)
+        worst = int(np.argmax(away))
+        if away[worst] > 1e-9:
+            raise ValueError(
+                f"frames[{worst}]: a3 is not along the edge; take adapted(), whose frames are"
+            )
+        return whole(self.twist + self.polyline.writhe(threads))
+
+    def edge(self, distance: float, threads: int = 0) -> Polyline:
+        """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame.
+
+        It winds around a closed curve as often as `link` says if it stays near enough. Raises
+        ``ValueError`` beyond half the `Polyline.self_approach`, where it could pass through another
+        part of the curve. O(n^2).
+        """
+        nearest = self.polyline.self_approach(threads)
+        if not 0 < abs(distance) < nearest.distance / 2:
+            raise ValueError(
+                f"distance: must be less than {nearest.distance / 2:.3g}, half that of the edges "
+                f"{nearest.edge} and {nearest.other}, and not 0; got {distance}"
+            )
+        a1 = rotate(self.vertex_frames, np.array([1.0, 0.0, 0.0]))
+        return Polyline(self.polyline.positions + distance * a1, self.polyline.closed)
+
+
+def _signed(frames: ArrayLike) -> Array:
+    """Quaternions; those of matrices with continued signs."""
+    array = np.asarray(frames, dtype=np.float64)
+    q = as_frames(array, "frames")
+    if array.ndim == 3:
+        _core.curve.check_continued(q)
+        q = continued(q)
+    return q
+
+
+def _held(frame: ArrayLike | None, name: str, near: Array) -> Array | None:
+    """The frame of an end; that of a matrix with the sign of its neighbour."""
+    if frame is None:
+        return None
+    array = np.asarray(frame, dtype=np.float64)
+    q = as_frames(array[None], name)[0]
+    return frozen(-q if array.ndim == 2 and (near @ q < 0).any() else q)

@@ -1,0 +1,359 @@
+"""Polygonal arcs: discrete Frenet curves, parallel transport, knots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyrod import _core
+from pyrod._immutable import Array, Immutable, frozen, sealed, vector
+from pyrod.curve._strains import Measure
+from pyrod.rotation import frame_along
+
+if TYPE_CHECKING:
+    from pyrod.curve._framed import FramedCurve
+
+
+class Approach(NamedTuple):
+    """The two edges that come nearest to each other; infinitely far, -1 and -1 if there are
+    none."""
+
+    distance: float
+    edge: int
+    other: int
+
+
+@dataclass(frozen=True, eq=False, init=False, repr=False)
+class Polyline(Immutable):
+    """A polygonal arc of n edges in space, open or closed (Linn 2020, sect. 4 and A.3).
+
+    Parameters
+    ----------
+    positions : (n + 1, 3) vertices of an open arc, (n, 3) of a closed one, whose last edge leads
+        back to vertex 0. Two columns are taken for points of the plane z = 0.
+    closed : whether the arc is closed.
+    start_tangent, end_tangent : (3,) directions that hold the ends of an open arc. The half cell
+        between such a direction and the edge turns; without one, an end has the direction of its
+        edge, and its half cell does not turn: its curvature is then 0.
+    straight : vertices that turn by no more than this angle [rad] have no binormal of their own and
+        take that of the vertex before. Those that turn by no more than the rounding of the
+        positions explains always count as straight.
+
+    Raises
+    ------
+    ValueError : shape, numbers that are not finite, neighbours that coincide (`without_repeats`
+        helps), neighbouring edges that are antiparallel; with the index and the remedy.
+
+    Angles and curvatures are invariant under rigid motion. Values at vertices are those of the
+    cells around them, which have half a length at the ends of an open arc.
+    """
+
+    positions: Array
+    closed: bool
+    start_tangent: Array | None
+    end_tangent: Array | None
+    straight: float
+    _arc: _core.curve.Arc = field(init=False, compare=False)
+
+    def __init__(
+        self,
+        positions: ArrayLike,
+        closed: bool = False,
+        start_tangent: ArrayLike | None = None,
+        end_tangent: ArrayLike | None = None,
+        straight: float = 0.0,
+    ) -> None:
+        r = np.asarray(positions, dtype=np.float64)
+        if r.ndim == 2 and r.shape[1] == 2:
+            r = np.column_stack([r, np.zeros(len(r))])
+        if r.ndim != 2 or r.shape[1] != 3:
+            raise ValueError(f"positions: expected shape (n, 3) or (n, 2), got {r.shape}")
+        if not 0 <= straight < np.pi:
+            raise ValueError(f"straight: must be an angle in [0, pi), got {straight}")
+        self._set(
+            positions=frozen(r),
+            closed=bool(closed),
+            start_tangent=_optional(start_tangent, "start_tangent"),
+            end_tangent=_optional(end_tangent, "end_tangent"),
+            straight=float(straight),
+        )
+        self._set(_arc=self._compiled())
+
+    def _compiled(self) -> _core.curve.Arc:
+        return _core.curve.Arc(self.positions, self.closed, self.start_tangent, self.end_tangent)
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        super().__setstate__(state)
+        self._set(_arc=self._compiled())
+
+    def __repr__(self) -> str:
+        kind = "closed" if self.closed else "open"
+        return f"Polyline({kind}, edges={self.edges}, length={self.length:g})"
+
+    # Lengths and directions -----------------------------------------------------------------------
+
+    @property
+    def edges(self) -> int:
+        """Number n of edges."""
+        return len(self.positions) - (not self.closed)
+
+    @property
+    def length(self) -> float:
+        """Sum of the edge lengths [m]."""
+        return float(self._arc.arc_lengths[-1])
+
+    @property
+    def edge_vectors(self) -> Array:
+        """(n, 3) differences l of neighbouring vertices."""
+        ends = self.positions[:1] if self.closed else self.positions[:0]
+        return np.diff(self.positions, axis=0, append=ends)
+
+    @cached_property
+    def edge_lengths(self) -> Array:
+        """(n,) lengths of the edges, the grid of discrete arc length."""
+        return sealed(self._arc.edge_lengths)
+
+    @cached_property
+    def cell_lengths(self) -> Array:
+        """Lengths of the cells around the vertices: half of the edges before and behind."""
+        return sealed(self._arc.cell_lengths)
+
+    @cached_property
+    def arc_lengths(self) -> Array:
+        """Arc length at the vertices. Second order in that of a smooth curve through them."""
+        return sealed(self._arc.arc_lengths[: len(self.positions)])
+
+    @property
+    def centre_arc_lengths(self) -> Array:
+        """(n,) arc length at the centres of the edges."""
+        return self.arc_lengths[: self.edges] + self.edge_lengths / 2
+
+    @property
+    def centres(self) -> Array:
+        """(n, 3) centres of the edges."""
+        return self.positions[: self.edges] + self.edge_vectors / 2
+
+    @cached_property
+    def tangents(self) -> Array:
+        """(n, 3) unit tangents of the edges."""
+        return sealed(self._arc.tangents())
+
+    def derivative(self, parameter: ArrayLike) -> Array:
+        """(n, 3) derivative by a parameter, l/h: second order at the centres of the intervals.
+
+        Parameters
+        ----------
+        parameter : its values at the vertices, increasing; for a closed arc with the value of
+            vertex 0 after one period as a last entry: (n + 1,).
+
+        Its length tells how far the parameter is from arc length (Linn, A.3).
+        """
+        xi = np.asarray(parameter, dtype=np.float64)
+        if (
+            xi.shape != (self.edges + 1,)
+            or not np.isfinite(xi).all()
+            or not (np.diff(xi) > 0).all()
+        ):
+            raise ValueError(
+                f"parameter: expected {self.edges + 1} increasing numbers, got shape {xi.shape}"
+            )
+        return self.edge_vectors / np.diff(xi)[:, None]
+
+    # Frenet ---------------------------------------------------------------------------------------
+
+    @cached_property
+    def turning_angles(self) -> Array:
+        """Angles theta [rad] between the directions before and behind each vertex, from 0 to pi."""
+        return sealed(self._arc.turning_angles())
+
+    def curvature(self, measure: Measure = "log") -> Array:
+        """Frenet curvature kappa = theta/cell length at the vertices, Linn (3).
+
+        ``measure`` names how the turn is measured, see `Measure`.
+        """
+        return _core.curve.measured(self.turning_angles, measure) / self.cell_lengths
+
+    @cached_property
+    def binormals(self) -> Array:
+        """Unit axes b of the turns at the vertices.
+
+        A straight vertex takes the axis of the one before by parallel transport (at the start: that
+        of the first bent one); a straight arc gets one of its normals. At an inflection in a plane
+        the axis turns by pi from one vertex to the next.
+        """
+        return sealed(self._arc.binormals(self.straight))
+
+    def curvature_binormals(self, measure: Measure = "log") -> Array:
+        """kappa b at the vertices: continuous through inflections. In a plane, signed curvature."""
+        return self.curvature(measure)[:, None] * self.binormals
+
+    @cached_property
+    def dihedral_angles(self) -> Array:
+        """(n,) angles alpha [rad] about each edge from one binormal to the next, in (-pi, pi]."""
+        return sealed(self._arc.dihedral_angles(self.binormals))
+
+    def torsion(self, measure: Measure | Literal["sauer"] = "log") -> Array:
+        """(n,) torsion tau = alpha/edge length, Linn (4).
+
+        ``measure`` "sauer" is sin(alpha)/length: of second order in alpha too, but no longer
+        growing beyond a right angle, so that it mistakes sharp turns for mild ones.
+        """
+        if measure == "sauer":
+            return np.sin(self.dihedral_angles) / self.edge_lengths
+        return _core.curve.measured(self.dihedral_angles, measure) / self.edge_lengths
+
+    def frenet(self) -> FramedCurve:
+        """The arc with Frenet frames (n, b, t) on its edges, b half-way between the vertices'."""
+        return self._framed(self._arc.edge_frenet_frames(self.binormals, self.dihedral_angles))
+
+    def vertex_frenet_frames(self) -> Array:
+        """Frenet frames (n, b, t) at the vertices, quaternions; t halves the turn."""
+        return self._arc.vertex_frenet_frames(self.binormals)
+
+    # Parallel transport ---------------------------------------------------------------------------
+
+    def bishop(
+        self,
+        normal: ArrayLike | None = None,
+        angles: ArrayLike = 0.0,
+        frame: ArrayLike | None = None,
+    ) -> FramedCurve:
+        """The arc with frames that do not twist, or that twist as told (Linn 6.2.1).
+
+        Parameters
+        ----------
+        normal : (3,) a1 of the start is as near to it as can be; default: the frame e1, e2, e3
+            turned the least way.
+        angles : turns the frames about the tangents by a given angle [rad], one for all or (n,).
+        frame : (4,) the frame at the start instead of ``normal``, turned the least way to the
+            tangent.
+
+        Frames of a closed arc start on edge 0 and meet it again turned by the `holonomy`, all of
+        which is in the turn at vertex 0; see `closed_ribbon` for frames that close.
+        """
+        if frame is None:
+            start = self.tangents[0] if self.start_tangent is None else self.start_tangent
+            frame = frame_along(start, normal)
+        elif normal is not None:
+            raise ValueError("normal: give either it or frame")
+        first, frames = self._arc.bishop_frames(np.asarray(frame, dtype=np.float64))
+        framed = self._framed(frames, first if self.start_tangent is not None else None)
+        return framed.turned(angles) if np.any(angles) else framed
+
+    def holonomy(self) -> float:
+        """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame.
+
+        Equal to -2 pi times the writhe, up to whole turns.
+        """
+        self._require_closed("holonomy")
+        return self._arc.holonomy()
+
+    def closed_ribbon(self, link: int, normal: ArrayLike | None = None) -> FramedCurve:
+        """Frames that close and have the linking number ``link``, twisted evenly along the arc.
+
+        O(n^2), for the writhe.
+        """
+        if link != int(link):
+            raise ValueError(f"link: must be a whole number, got {link}")
+        twist = 2 * np.pi * (int(link) - self.writhe())
+        inner = np.cumsum(self.cell_lengths[1:])
+        return self.bishop(normal, twist / self.length * np.concatenate([[0.0], inner]))
+
+    def _framed(self, frames: Array, start_frame: Array | None = None) -> FramedCurve:
+        from pyrod.curve._framed import FramedCurve
+
+        return FramedCurve(self, frames, start_frame=start_frame)
+
+    # Averages -------------------------------------------------------------------------------------
+
+    @property
+    def vertex_tangents(self) -> Array:
+        """Unit tangents at the vertices that halve the turn; a free end has that of its edge."""
+        t = self.tangents
+        if self.closed:
+            before, behind = np.roll(t, 1, axis=0), t
+        else:
+            start, end = (
+                edge if held is None else held / np.linalg.norm(held)
+                for edge, held in ((t[0], self.start_tangent), (t[-1], self.end_tangent))
+            )
+            before, behind = np.vstack([start, t]), np.vstack([t, end])
+        mean = before + behind
+        return mean / np.linalg.norm(mean, axis=1, keepdims=True)
+
+    def at_vertices(self, values: ArrayLike) -> Array:
+        """Values given per edge, (n, ...), at the vertices: linear between the edge centres.
+
+        At the ends of an open arc on the continuation of the last line. Second order on any grid.
+        """
+        return self._averaged(_core.curve.at_vertices, values)
+
+    def at_centres(self, values: ArrayLike) -> Array:
+        """Values given per vertex at the centres of the edges, (n, ...): the mean of two."""
+        return self._averaged(_core.curve.at_centres, values)
+
+    def _averaged(self, average: Any, values: ArrayLike) -> Array:
+        x = np.asarray(values, dtype=np.float64)
+        columns = x.reshape(len(x), -1) if x.ndim else x
+        out = average(self.edge_lengths, columns, self.closed)
+        return out.reshape((len(out), *x.shape[1:]))
+
+    # Knots ----------------------------------------------------------------------------------------
+
+    def writhe(self, threads: int = 0) -> float:
+        """Writhe, exact for the polygon. O(n^2), on all cores unless ``threads`` says how many.
+
+        The same to the last bit for any number of threads. Raises ``ValueError`` where edges meet.
+        """
+        return self._arc.writhe(threads)
+
+    def frenet_link(self, threads: int = 0) -> int:
+        """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi.
+
+        Counts the arc's own crossings as long as it has no inflection. O(n^2).
+        """
+        self._require_closed("frenet_link")
+        return whole(self.writhe(threads) + self.dihedral_angles.sum() / (2 * np.pi))
+
+    def self_approach(self, threads: int = 0) -> Approach:
+        """Smallest distance between two parts of the arc that are not near along it. O(n^2).
+
+        Two edges count if the way between their centres is more than one and a half times as long
+        along the arc as it is straight: on a circle, if they are nearly opposite.
+        """
+        return Approach(*self._arc.self_approach(threads))
+
+    def approach(self, other: Polyline, threads: int = 0) -> Approach:
+        """Smallest distance between an edge of this and an edge of another. O(n m)."""
+        return Approach(*self._arc.approach(other._arc, threads))
+
+    def _require_closed(self, what: str) -> None:
+        if not self.closed:
+            raise ValueError(f"{what}: only a closed polyline has one; make it with closed=True")
+
+
+def _optional(values: ArrayLike | None, name: str) -> Array | None:
+    return None if values is None else vector(values, name)
+
+
+def linking_number(a: Polyline, b: Polyline, threads: int = 0) -> int:
+    """How often two closed polylines wind around each other, by Gauss's integral. O(n m).
+
+    Raises ``ValueError`` where they meet. Positive for right-handed crossings.
+    """
+    a._require_closed("linking_number")
+    b._require_closed("linking_number")
+    return whole(a._arc.gauss_integral(b._arc, threads))
+
+
+def whole(value: float) -> int:
+    """The whole number that a sum of angles must be."""
+    if abs(value - round(value)) > 1e-6:
+        raise ArithmeticError(
+            f"expected a whole number, got {value}: edges come too near to each other for rounding"
+        )
+    return round(value)
