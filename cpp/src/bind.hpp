@@ -66,12 +66,16 @@ inline Vector numbers(const Array& a, const char* name) {
 /// (n, 4) unit quaternions, scalar first. A length that is off by more than 1e-6 is an error, not
 /// rounding.
 inline std::vector<Quaternion> quaternions(const Array& a, const char* name) {
-  std::vector<Quaternion> out;
-  for (const auto& p : vectors<4>(a, name)) {
-    require(std::abs(p.norm() - 1) < 1e-6, name, "[", out.size(),
+  require(a.ndim() == 2 && a.shape(1) == 4, name, ": expected an array of shape (n, 4), got ",
+          shape_of(a));
+  std::vector<Quaternion> out(std::size_t(a.shape(0)));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Vec<4> p = Eigen::Map<const Vec<4>>(a.data(py::ssize_t(i), 0));
+    require(p.allFinite(), name, "[", i, "]: expected finite numbers, got ", p.transpose());
+    require(std::abs(p.norm() - 1) < 1e-6, name, "[", i,
             "]: expected a unit quaternion (w, x, y, z), got length ", p.norm(),
             "; divide it by its length");
-    out.push_back(Quaternion(p[0], p[1], p[2], p[3]).normalized());
+    out[i] = Quaternion(p[0], p[1], p[2], p[3]).normalized();
   }
   return out;
 }

@@ -177,3 +177,71 @@ TEST_CASE("planar curves are spatial ones in a plane") {
   for (int j = 0; j < 20; ++j) CHECK(distance(embed(flat.frames[j]), curve.frames[j]) < 1e-13);
   CHECK(distance(embed(flat.end_frame), curve.end_frame) < 1e-13);
 }
+
+TEST_CASE_TEMPLATE("in every measure curve and strains determine each other", Space, EACH_SPACE) {
+  Random random(8);
+  for (const Measure measure : {Measure::log, Measure::chord, Measure::cayley}) {
+    CAPTURE(name(measure));
+    const Grid grid = random.grid(30, 5);
+    auto given = random.strains<Space>(grid, 2.5);
+    for (int j = 0; j <= 30; ++j)  // sizes of turns by as much
+      given.K[j] *=
+          measured(grid.Δs(j) * given.K[j].norm(), measure) / (grid.Δs(j) * given.K[j].norm());
+    const Point<Space> r0 = random.vector<Space::dim>();
+    const auto q0 = random.rotation<Space>();
+    const auto curve = reconstruct<Space>(grid, given, r0, q0, measure);
+    const auto found = strains(grid, curve, measure);
+    check_same(grid, found, given, 1e-13);
+    check_same(reconstruct<Space>(grid, found, r0, q0, measure), curve, 1e-13);
+    for (int j = 0; j <= 30; ++j)
+      CHECK(grid.Δs(j) *
+                distance(found.K[j], measured(difference(curve, j), measure) / grid.Δs(j)) <
+            1e-14);
+  }
+}
+
+TEST_CASE_TEMPLATE("strains of a smooth curve, sampled, give it back with second order", Space,
+                   EACH_SPACE) {
+  // R = exp(f e1) exp(g e3) in space, exp(f e2) in the plane, and any r
+  const auto f = [](double s) { return std::sin(2 * s) + s; };
+  const auto df = [](double s) { return 2 * std::cos(2 * s) + 1; };
+  const auto g = [](double s) { return s * s; };
+  const auto R = [&](double s) {
+    if constexpr (Space::spin == 1)
+      return Angle{f(s)};
+    else
+      return exp(Vec3(f(s), 0, 0)) * exp(Vec3(0, 0, g(s)));
+  };
+  const auto K = [&](double s) -> Spin<Space> {
+    if constexpr (Space::spin == 1)
+      return Vec1(df(s));
+    else
+      return Vec3(df(s) * std::cos(g(s)), -df(s) * std::sin(g(s)), 2 * s);
+  };
+  const auto r = [](double s) -> Point<Space> {
+    if constexpr (Space::dim == 2)
+      return Vec2(std::cos(s), 2 * s);
+    else
+      return Vec3(std::cos(s), 2 * s, std::exp(s));
+  };
+  const auto dr = [](double s) -> Point<Space> {
+    if constexpr (Space::dim == 2)
+      return Vec2(-std::sin(s), 2);
+    else
+      return Vec3(-std::sin(s), 2, std::exp(s));
+  };
+  const double length = 1.5;
+  double frames[2], positions[2];
+  for (int level = 0; level < 2; ++level) {
+    const Grid grid = Grid::uniform(length, 100 << level);
+    const auto given =
+        sampled<Space>(grid, K, [&](double s) -> Point<Space> { return unrotate(R(s), dr(s)); });
+    const auto curve = reconstruct<Space>(grid, given, r(0), R(0));
+    frames[level] = distance(curve.end_frame, R(length));
+    positions[level] = distance(curve.positions.back(), r(length));
+  }
+  CHECK(std::log2(frames[0] / frames[1]) == doctest::Approx(2).epsilon(0.01));
+  CHECK(std::log2(positions[0] / positions[1]) == doctest::Approx(2).epsilon(0.01));
+  CHECK(frames[1] < 1e-3);
+  CHECK(positions[1] < 1e-3);
+}

@@ -30,6 +30,55 @@ TEST_CASE("a grid of one edge has two half cells") {
   CHECK(grid.arc_lengths() == Vec<2>(0, 3));
 }
 
+TEST_CASE("a closed grid: as many vertices as edges, whole cells, and the last edge leads home") {
+  const Grid grid(Vec<3>(1, 2, 4), Closure::closed);
+  CHECK(grid.closed());
+  CHECK(grid.closure() == Closure::closed);
+  CHECK(grid.edges() == 3);
+  CHECK(grid.vertices() == 3);
+  CHECK(grid.length() == 7);
+  CHECK(grid.cell_lengths() == Vec<3>(2.5, 1.5, 3));
+  CHECK(grid.arc_lengths() == Vec<4>(0, 1, 3, 7));
+  CHECK(grid.next(0) == 1);
+  CHECK(grid.next(1) == 2);
+  CHECK(grid.next(2) == 0);
+  CHECK(grid.centre(2) == 5);
+}
+
+TEST_CASE("closed grids of one and of two edges") {
+  const Grid one(Vec<1>(3), Closure::closed), two(Vec<2>(1, 3), Closure::closed);
+  CHECK(one.vertices() == 1);
+  CHECK(one.next(0) == 0);
+  CHECK(one.cell_lengths() == Vec<1>(3));
+  CHECK(two.vertices() == 2);
+  CHECK(two.next(0) == 1);
+  CHECK(two.next(1) == 0);
+  CHECK(two.cell_lengths() == Vec<2>(2, 2));
+}
+
+TEST_CASE("an open grid's last edge leads to the last vertex") {
+  const Grid grid = Grid::uniform(1, 3);
+  CHECK_FALSE(grid.closed());
+  CHECK(grid.next(2) == 3);
+  CHECK(Grid(Vec<1>(3)).next(0) == 1);
+  CHECK(Grid(Vec<2>(1, 3)).cell_lengths() == Vec<3>(0.5, 2, 1.5));
+}
+
+TEST_CASE("a million unequal edges: places along them are right to rounding") {
+  Random random(2);
+  for (const Closure closure : {Closure::open, Closure::closed}) {
+    const Grid grid(random.grid(1000000).edge_lengths(), closure);
+    long double sum = 0;
+    double worst = 0;
+    for (int j = 0; j < grid.edges(); ++j) {
+      sum += static_cast<long double>(grid.h(j));
+      worst = std::max(worst, std::abs(double(sum - static_cast<long double>(grid.s(j + 1)))));
+    }
+    CHECK(worst <= 2.3e-16);
+    CHECK(grid.cell_lengths().sum() == doctest::Approx(1).epsilon(1e-13));
+  }
+}
+
 TEST_CASE("cells and edges fill the rod, and the cells meet at the centres of the edges") {
   Random random(1);
   const Grid grid = random.grid(50, 7);

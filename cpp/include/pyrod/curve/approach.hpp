@@ -15,13 +15,14 @@ struct Approach {
 };
 
 /// Distance between the segments p + x a and q + y b, 0 ≤ x, y ≤ 1. The least of a convex quadratic
-/// on a square: free in x, then clamped in turn.
+/// on a square: free in x, then clamped in turn. Its determinant is |a × b|², not a
+/// difference of products: nearly parallel segments would lose half their digits.
 inline double segment_distance(const Vec3& p, const Vec3& a, const Vec3& q, const Vec3& b) {
-  const Vec3 gap = p - q;
+  const Vec3 gap = p - q, normal = a.cross(b);
   const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b);
-  const double ag = a.dot(gap), bg = b.dot(gap), det = aa * bb - ab * ab;
+  const double ag = a.dot(gap), bg = b.dot(gap), det = normal.squaredNorm();
   const auto clamp = [](double x) { return std::clamp(x, 0., 1.); };
-  double x = det > 0 ? clamp((ab * bg - bb * ag) / det) : 0;
+  double x = det > 0 ? clamp(normal.dot(b.cross(gap)) / det) : 0;
   const double y = clamp((ab * x + bg) / bb);
   x = clamp((ab * y - ag) / aa);
   return (gap + x * a - y * b).norm();

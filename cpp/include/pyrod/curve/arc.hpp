@@ -42,11 +42,14 @@ struct Arc {
   }
   Turning turning(int j) const { return {before(j), behind(j)}; }
 
-  /// Angle [rad] by which rounded positions alone may turn the edges at vertex j.
+  /// Angle [rad] by which rounded positions alone may turn the edges at vertex j. Tangents that
+  /// hold the ends have no length to compare with positions.
   double rounding(int j) const {
-    const double ends = 1 / before(j).norm() + 1 / behind(j).norm();
-    return 8 * std::numeric_limits<double>::epsilon() *
-           (1 + positions[j].lpNorm<Eigen::Infinity>() * ends);
+    const double size = positions[j].lpNorm<Eigen::Infinity>();
+    double angle = 1;
+    if (j > 0 || closed()) angle += size / before(j).norm();
+    if (j < edges()) angle += size / behind(j).norm();
+    return 8 * std::numeric_limits<double>::epsilon() * angle;
   }
 
   /// Refuses what is no regular arc, naming the place and the remedy: coinciding neighbours and

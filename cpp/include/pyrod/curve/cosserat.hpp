@@ -109,6 +109,7 @@ template <class Space>
 std::vector<typename Space::Rotation> vertex_frames(const Grid& grid,
                                                     const CosseratCurve<Space>& curve) {
   std::vector<typename Space::Rotation> out;
+  out.reserve(grid.vertices());
   for (int j = 0; j < grid.vertices(); ++j) out.push_back(vertex_frame(grid, curve, j));
   return out;
 }

@@ -76,7 +76,9 @@ inline Vector dihedral_angles(const Arc& arc, const std::vector<Vec3>& b) {
   });
 }
 
-/// τ_{j+1/2} = α_{j+1/2}/ℓ_{j+1/2}, Linn (4), or in another measure. Second order.
+/// τ_{j+1/2} = α_{j+1/2}/ℓ_{j+1/2}, Linn (4), or in another measure. Second order where
+/// neighbouring edges differ little in length; elsewhere, and on the last edges of an open arc,
+/// only sums of α converge (docs/curves.md).
 inline Vector torsion(const Grid& grid, const Vector& α, Measure measure = Measure::log) {
   return Vector::NullaryExpr(
       α.size(), [&](Eigen::Index j) { return measured(α[j], measure) / grid.h(int(j)); });

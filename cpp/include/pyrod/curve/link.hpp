@@ -7,10 +7,7 @@
 /// Biopolymers 54, 2000).
 #pragma once
 
-#include <pyrod/core/parallel.hpp>
-#include <pyrod/curve/arc.hpp>
-
-#include <complex>
+#include <pyrod/curve/approach.hpp>
 
 namespace pyrod {
 
@@ -27,21 +24,29 @@ struct Sight {
 /// Ω/2 = arg(z1 z2) in (−π, π): the quadrilateral is two triangles, and half the area of a triangle
 /// of unit vectors is the argument of 1 + a·b + b·c + c·a + i det(a, b, c) (van Oosterom and
 /// Strackee). Both determinants are the triple product V of the two edges and a line between them,
-/// in the scale of the unit vectors. NaN where the edges meet.
+/// in the scale of the unit vectors. V alone says the sign: where edges nearly cross, z1 and z2 are
+/// nearly imaginary, and rounding turns their product past π. NaN where vertices coincide.
 inline double half_solid_angle(double V, const Sight& A, const Sight& B, const Sight& C,
                                const Sight& D) {
   const double AC = A.d.dot(C.d), scale = A.length * C.length;
   const double real1 = 1 + A.d.dot(B.d) + B.d.dot(C.d) + AC, imag1 = V / (scale * B.length);
   const double real2 = 1 + AC + C.d.dot(D.d) + A.d.dot(D.d), imag2 = V / (scale * D.length);
   const double real = real1 * real2 - imag1 * imag2, imag = real1 * imag2 + imag1 * real2;
-  const double rounding =
-      1e-14 * (std::abs(real1) + std::abs(imag1)) * (std::abs(real2) + std::abs(imag2));
-  if (!(real > 0 || std::abs(imag) > rounding)) return std::numeric_limits<double>::quiet_NaN();
-  return signed_angle(imag, real);
+  return std::copysign(signed_angle(imag, real), V);
 }
 
-/// Σ Ω/2 over the edges [first, last) of `others` seen from edge i of `arc`.
-inline double half_solid_angles(const Arc& arc, int i, const Arc& others, int first, int last) {
+/// How near two edges may come and still meet, for all that their rounded vertices tell.
+inline double meeting_distance(const Arc& arc, const Arc& other) {
+  double largest = 0;
+  for (const Arc* each : {&arc, &other})
+    for (const Vec3& r : each->positions) largest = std::max(largest, r.lpNorm<Eigen::Infinity>());
+  return 32 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+/// Σ Ω/2 over the edges [first, last) of `others` seen from edge i of `arc`. No edge may be as near
+/// as `meeting`: rounding would decide on which side it passes.
+inline double half_solid_angles(const Arc& arc, int i, const Arc& others, int first, int last,
+                                double meeting) {
   const Vec3 &start = arc.positions[i], &end = arc.positions[arc.next(i)], edge = arc.edge(i);
   double sum = 0;
   if (first >= last) return sum;
@@ -49,9 +54,13 @@ inline double half_solid_angles(const Arc& arc, int i, const Arc& others, int fi
   for (int j = first; j < last; ++j) {
     const Vec3& next = others.positions[others.next(j)];
     const Sight D(start, next), C(end, next);
-    const double V = -A.length * A.d.dot(edge.cross(others.edge(j)));
+    const Vec3 other = others.edge(j);
+    const double V = -A.length * A.d.dot(edge.cross(other));
     const double part = half_solid_angle(V, A, B, C, D);
-    require(!std::isnan(part), "positions: edge ", i, " meets edge ", j,
+    // |V| is the distance of the two lines times |edge × other|: few pairs need a closer look
+    const bool near = V * V <= meeting * meeting * edge.squaredNorm() * other.squaredNorm();
+    const bool meet = near && segment_distance(start, edge, others.positions[j], other) <= meeting;
+    require(!meet && !std::isnan(part), "positions: edge ", i, " meets edge ", j,
             &arc == &others ? " of the same curve" : " of the other curve",
             ", so that crossings cannot be counted; move the curve apart there");
     sum += part;
@@ -73,10 +82,11 @@ inline double sum_of_rows(const std::vector<double>& rows) {
 /// kind. O(n²).
 inline double writhe(const Arc& arc, int threads = 0, const KeepGoing& keep_going = {}) {
   const int n = arc.edges();
+  const double meeting = detail::meeting_distance(arc, arc);
   std::vector<double> rows(n);
   for_each_row(n, threads, keep_going, [&](int i) {
     const int last = arc.closed() && i == 0 ? n - 1 : n;
-    rows[i] = detail::half_solid_angles(arc, i, arc, i + 2, last);
+    rows[i] = detail::half_solid_angles(arc, i, arc, i + 2, last, meeting);
   });
   return detail::sum_of_rows(rows) / std::numbers::pi;
 }
@@ -85,9 +95,10 @@ inline double writhe(const Arc& arc, int threads = 0, const KeepGoing& keep_goin
 /// rounding, where both are closed. O(n m).
 inline double gauss_integral(const Arc& arc, const Arc& other, int threads = 0,
                              const KeepGoing& keep_going = {}) {
+  const double meeting = detail::meeting_distance(arc, other);
   std::vector<double> rows(arc.edges());
   for_each_row(arc.edges(), threads, keep_going, [&](int i) {
-    rows[i] = detail::half_solid_angles(arc, i, other, 0, other.edges());
+    rows[i] = detail::half_solid_angles(arc, i, other, 0, other.edges(), meeting);
   });
   return detail::sum_of_rows(rows) / (2 * std::numbers::pi);
 }

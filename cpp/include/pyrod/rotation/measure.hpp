@@ -65,8 +65,11 @@ inline Vec1 measured(Angle a, Measure measure) { return Vec1(measured(a.radians,
 /// The turn whose measured vector is u: the inverse.
 inline Quaternion turn_of(const Vec3& u, Measure measure) {
   switch (measure) {
-    case Measure::chord:
-      return quaternion(std::sqrt(1 - u.squaredNorm() / 4), u / 2);
+    case Measure::chord: {
+      const double x = u.squaredNorm() / 4;
+      const bool half_turn = x > 1 && x < 1 + 1e-15;  // of a chord of 2, but for rounding
+      return quaternion(half_turn ? 0 : std::sqrt(1 - x), u / 2);
+    }
     case Measure::cayley:
       return quaternion(1, u / 2).normalized();
     default:
