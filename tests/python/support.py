@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
+from math import factorial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from hypothesis import strategies as st
 
 import pyrod
-from pyrod import rotation
+from pyrod import curve, rotation
 
 Array = np.ndarray
 MODELS = ("cosserat", "extensible", "inextensible")
@@ -17,6 +20,7 @@ SOFT = pyrod.Section(EI1=1.0, EI2=1.3, GJ=0.8, GA1=60.0, GA2=80.0, EA=150.0)
 """A section for unit length whose shear and stretch are seen; anisotropic."""
 ROUND = pyrod.Section(EI1=1.0, EI2=1.0, GJ=0.7)
 """An isotropic section, neither shearable nor extensible."""
+REFERENCE = Path(__file__).parents[1] / "reference"
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 
@@ -71,3 +75,123 @@ def differences(a: Any, b: Any) -> float:
     """Largest difference relative to the largest entry of b."""
     a, b = np.asarray(a), np.asarray(b)
     return float(np.abs(a - b).max() / (np.abs(b).max() or 1.0))
+
+
+# Smooth curves ------------------------------------------------------------------------------------
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
+
+
+class SmoothCurve:
+    """A curve of the reference data at any parameter: a sum of waves, and a polynomial.
+
+    A wave is (frequency, coefficients of the cosine, of the sine), all that the formulae of
+    tests/reference/G_*.json consist of; so derivatives are exact.
+    """
+
+    def __init__(self, name: str, end: float, waves: Any, powers: Any = (), start: float = 0.0):
+        self.name, self.start, self.end, self.waves = name, start, end, waves
+        self.powers = np.reshape(powers, (-1, 3)).astype(float)
+        self.data = json.loads((REFERENCE / f"G_{name}.json").read_text())
+        self.closed = self.data["closed"]
+        self._table = np.linspace(start, end, 257)
+        self._lengths = self.arc_lengths(self._table)
+
+    def __repr__(self) -> str:
+        return self.name
+
+    def derivative(self, t: Array, order: int = 0) -> Array:
+        """The derivative of the position by the parameter, (..., 3)."""
+        t = np.asarray(t, dtype=float)[..., None]
+        out = np.zeros((*t.shape[:-1], 3))
+        for w, cosine, sine in self.waves:
+            x = w * t + order * np.pi / 2
+            out += w**order * (np.cos(x) * np.array(cosine) + np.sin(x) * np.array(sine))
+        for k, coefficient in enumerate(self.powers[order:], order):
+            out += factorial(k) / factorial(k - order) * t ** (k - order) * coefficient
+        return out
+
+    def frenet(self, t: Array) -> tuple[Array, Array, Array]:
+        """Curvature, torsion, and the matrices (n, b, t)."""
+        d1, d2, d3 = (self.derivative(t, k) for k in (1, 2, 3))
+        speed = np.linalg.norm(d1, axis=-1)
+        across = np.cross(d1, d2)
+        area = np.linalg.norm(across, axis=-1)
+        tangent, binormal = unit(d1), unit(across)
+        R = np.stack([np.cross(binormal, tangent), binormal, tangent], axis=-1)
+        return area / speed**3, np.sum(across * d3, axis=-1) / area**2, R
+
+    def integral(self, density: Any, t: Array) -> Array:
+        """The integral of density(t) ds from the first t to each, to rounding."""
+        half = np.diff(t)[:, None] / 2
+        x = t[:-1, None] + half * (1 + NODES)
+        speed = np.linalg.norm(self.derivative(x, 1), axis=-1)
+        return np.concatenate([[0.0], np.cumsum((half * speed * density(x)) @ WEIGHTS)])
+
+    def arc_lengths(self, t: Array) -> Array:
+        return self.integral(np.ones_like, t)
+
+    def bishop(self, t: Array) -> Array:
+        """The matrices of the frames that do not twist and start as Frenet's at the first t."""
+        R = self.frenet(t)[2]
+        angle = -self.integral(lambda x: self.frenet(x)[1], t)[:, None]
+        n, b = R[..., 0], R[..., 1]
+        turned = np.cos(angle) * n + np.sin(angle) * b, np.cos(angle) * b - np.sin(angle) * n
+        return np.stack([*turned, R[..., 2]], axis=-1)
+
+    def parameters_at(self, s: Array) -> Array:
+        """The parameters of arc lengths: Newton's method from a table."""
+        t = np.interp(s, self._lengths, self._table)
+        for _ in range(5):
+            i = np.clip(np.searchsorted(self._table, t) - 1, 0, len(self._table) - 2)
+            half = (t - self._table[i])[:, None] / 2
+            x = self._table[i][:, None] + half * (1 + NODES)
+            along = (half * np.linalg.norm(self.derivative(x, 1), axis=-1)) @ WEIGHTS
+            t = t - (self._lengths[i] + along - s) / np.linalg.norm(self.derivative(t, 1), axis=-1)
+        return t
+
+    def even(self, n: int, by: str = "parameter") -> Array:
+        """n + 1 parameters, evenly spaced in the parameter or in arc length."""
+        if by == "parameter":
+            return np.linspace(self.start, self.end, n + 1)
+        return self.parameters_at(np.linspace(0, self._lengths[-1], n + 1))
+
+    def uneven(self, n: int, rng: np.random.Generator) -> Array:
+        """The same with random steps of the parameter that differ by up to 3."""
+        steps = np.cumsum(rng.uniform(1, 3, n))
+        return np.concatenate(
+            [[self.start], self.start + (self.end - self.start) * steps / steps[-1]]
+        )
+
+    def polyline(self, t: Array) -> curve.Polyline:
+        """Through the points at t; closed without the last; open with the tangents at the ends."""
+        r = self.derivative(t)
+        if self.closed:
+            return curve.Polyline(r[:-1], closed=True)
+        ends = self.derivative(t[[0, -1]], 1)
+        return curve.Polyline(r, False, *ends)
+
+
+def _torus_knot(p: int, q: int, R: float) -> SmoothCurve:
+    waves = [(p, (R, 0, 0), (0, R, 0)), (q, (0, 0, 0), (0, 0, 1))]
+    waves += [(w, (0.5, 0, 0), (0, 0.5, 0)) for w in (p + q, p - q)]
+    return SmoothCurve(f"torus_knot_{p}_{q}", 2 * np.pi, waves)
+
+
+HELIX = SmoothCurve("helix", 4 * np.pi, [(1, (1, 0, 0), (0, 1, 0))], [(0, 0, 0), (0, 0, 0.3)])
+CUBIC = SmoothCurve("twisted_cubic", 1.0, [], [(0, 0, 0), *np.eye(3)], start=-1.0)
+VIVIANI = SmoothCurve(
+    "viviani", 4 * np.pi, [(1, (1, 0, 0), (0, 1, 0)), (0.5, (0, 0, 0), (0, 0, 2))], [(1, 0, 0)]
+)
+UNKNOT = SmoothCurve(
+    "trig_unknot",
+    2 * np.pi,
+    [
+        (1, (1, 0, 0), (0, 1, 0)),
+        (2, (0.2, -0.15, 0.3), (0.1, 0, 0.25)),
+        (3, (0, 0, 0), (0, 0, 0.1)),
+    ],
+)
+KNOTS = [_torus_knot(2, 3, 2.0), _torus_knot(3, 2, 3.0), UNKNOT]
+"""Closed, and without double points."""
+SMOOTH = [HELIX, CUBIC, VIVIANI, *KNOTS]

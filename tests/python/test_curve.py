@@ -68,6 +68,97 @@ def test_gamma_defaults_to_neither_sheared_nor_stretched() -> None:
     np.testing.assert_array_equal(r[0], np.zeros(3))
 
 
+# Measures and closed curves -----------------------------------------------------------------------
+
+SIZES = {
+    "log": lambda x: x,
+    "chord": lambda x: 2 * np.sin(x / 2),
+    "cayley": lambda x: 2 * np.tan(x / 2),
+}
+
+
+@pytest.mark.parametrize("measure", SIZES)
+def test_measures_differ_in_the_size_of_a_turn_only(measure: str) -> None:
+    """K along the same axis, of the length that the angle has in that measure."""
+    h, K, _ = random_strains(30, 2.8)
+    r, q, end = curve.reconstruct(h, K)
+    cells = np.concatenate([[h[0] / 2], (h[1:] + h[:-1]) / 2, [h[-1] / 2]])
+    angle = cells * np.linalg.norm(K, axis=1)
+    found, Gamma = curve.strains(h, r, q, [1, 0, 0, 0], end, measure=measure)
+    expected = unit(K) * (SIZES[measure](angle) / cells)[:, None]
+    np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(Gamma, np.tile([0, 0, 1.0], (30, 1)), rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("measure", SIZES)
+@pytest.mark.parametrize("n", [1, 2, 50])
+def test_reconstruction_undoes_strains_in_every_measure(n: int, measure: str) -> None:
+    h, K, Gamma = random_strains(n, 1.9)
+    r, q, end = curve.reconstruct(h, K, Gamma, measure=measure)
+    found = curve.strains(h, r, q, [1, 0, 0, 0], end, measure=measure)
+    np.testing.assert_allclose(found[0], K, rtol=0, atol=1e-13 * np.abs(K).max())
+    np.testing.assert_allclose(found[1], Gamma, rtol=0, atol=1e-13 * np.abs(Gamma).max())
+
+
+def test_a_closed_curve_is_an_open_one_whose_ends_are_one_frame() -> None:
+    """Whatever edge comes first: values are rolled along."""
+    n = 9
+    h, r, q = RNG.uniform(0.1, 1.0, n), RNG.normal(size=(n, 3)), random_frames(RNG, n)
+    q = rotation.continued(q)
+    K, Gamma = curve.strains(h, r, q, closed=True)
+    assert K.shape == Gamma.shape == (n, 3)
+    last = q[-1] * np.sign(q[-1] @ q[0])
+    open_K, open_Gamma = curve.strains(h, np.vstack([r, r[:1]]), q, start_frame=last)
+    np.testing.assert_allclose(K[1:], open_K[1:-1], rtol=1e-15)
+    np.testing.assert_allclose(K[0] * (h[0] + h[-1]) / 2, open_K[0] * h[0] / 2, rtol=1e-14)
+    np.testing.assert_allclose(Gamma, open_Gamma, rtol=1e-15)
+    rolled = curve.strains(
+        *(np.roll(x, -4, axis=0) for x in (h, r)),
+        rotation.continued(np.roll(q, -4, axis=0)),
+        closed=True,
+    )
+    np.testing.assert_allclose(rolled[0], np.roll(K, -4, axis=0), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(rolled[1], np.roll(Gamma, -4, axis=0), rtol=0, atol=1e-12)
+
+
+def test_the_seam_of_a_closed_curve_takes_the_smaller_turn() -> None:
+    """A ring turns its frames once: with the sign of a quaternion lost there would be 2 pi more."""
+    n = 8
+    q = rotation.exp(np.outer(np.arange(n) * 2 * np.pi / n, [0, 1, 0]))
+    K, _ = curve.strains(np.ones(n), np.zeros((n, 3)), q, closed=True)
+    np.testing.assert_allclose(K, np.tile([0, 2 * np.pi / n, 0], (n, 1)), rtol=0, atol=2e-15)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"measure": "angle"}, "measure: expected"),
+        ({"closed": True}, "positions: expected 3 rows"),
+        ({"closed": True, "positions": np.eye(3), "end_frame": [1, 0, 0, 0]}, "has no ends"),
+        (
+            {"measure": "cayley", "frames": rotation.exp(np.outer([0, 1, 2], [0, 3.2, 0]))},
+            r"frames\[1\]: turned by pi or more from its neighbour, which the cayley measure",
+        ),
+    ],
+)
+def test_measures_and_closures_are_refused(change: dict[str, object], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        curve.strains(**{**GOOD, **change})
+
+
+def test_chords_beyond_two_are_refused() -> None:
+    K = np.zeros((4, 3))
+    K[2, 1] = 2.0
+    curve.reconstruct(np.ones(3), K, measure="chord")  # half a turn, which is the last
+    K[2, 1] = 2.001
+    with pytest.raises(
+        ValueError, match=r"K\[2\]: a chord of length 2.001; no turn has one beyond"
+    ):
+        curve.reconstruct(np.ones(3), K, measure="chord")
+    with pytest.raises(ValueError, match="measure: expected"):
+        curve.reconstruct(np.ones(3), K, measure="angle")
+
+
 # Helices ------------------------------------------------------------------------------------------
 
 

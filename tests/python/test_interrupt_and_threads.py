@@ -1,19 +1,21 @@
-"""Long solves can be stopped, leave other threads running, and do not disturb each other."""
+"""Long computations can be stopped, leave other threads running, and do not disturb each other."""
 
 from __future__ import annotations
 
 import os
 import signal
 import threading
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from time import sleep
 
 import numpy as np
 import pytest
-from support import MODELS, ROUND, SOFT, SPACES
+from support import HELIX, MODELS, ROUND, SOFT, SPACES
 
 import pyrod
 from pyrod import Clamp, Force, Rod, Scene
+from pyrod.curve import Polyline
 
 
 def large(n: int) -> Scene:
@@ -21,10 +23,13 @@ def large(n: int) -> Scene:
     return Scene(Rod.straight(1.0, n, ROUND), Clamp(), Force((3, 2, -10)))
 
 
-@pytest.mark.skipif(
+needs_ctrl_c = pytest.mark.skipif(
     signal.getsignal(signal.SIGINT) is not signal.default_int_handler,
     reason="Ctrl-C is not Python's",
 )
+
+
+@needs_ctrl_c
 def test_ctrl_c_stops_a_solve_within_an_iteration(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pressed after the first line is printed, while the second iteration is under way."""
     lines, printed = [], threading.Event()
@@ -46,6 +51,55 @@ def test_ctrl_c_stops_a_solve_within_an_iteration(monkeypatch: pytest.MonkeyPatc
     thread.join()
     assert 1 <= len(lines) <= 2  # of seven
     assert pyrod.solve(large(100)) == pyrod.solve(large(100))  # as if nothing had happened
+
+
+def coil(n: int) -> Polyline:
+    """An arc that does not meet itself."""
+    return HELIX.polyline(HELIX.even(n))
+
+
+ENDLESS = {
+    "writhe": lambda arc: arc.writhe(2),
+    "approach": lambda arc: arc.approach(coil(len(arc.positions)), 2),
+}
+
+
+@needs_ctrl_c
+@pytest.mark.parametrize("ask", ENDLESS.values(), ids=ENDLESS)
+def test_ctrl_c_stops_sums_over_pairs_of_edges(ask: Callable[[Polyline], object]) -> None:
+    """Ten thousand million pairs would take minutes; the limit on the time of a test says if they
+    are gone through."""
+    arc = coil(100_000)
+
+    def press() -> None:
+        sleep(0.05)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=press)
+    with pytest.raises(KeyboardInterrupt):  # noqa: PT012
+        thread.start()
+        ask(arc)
+    thread.join()
+    assert coil(100).writhe() == coil(100).writhe()
+
+
+def test_other_threads_run_during_a_sum_over_pairs_of_edges() -> None:
+    arc, done, wakes = coil(5000), threading.Event(), 0
+
+    def count() -> None:
+        nonlocal wakes
+        while not done.is_set():
+            sleep(1e-3)
+            wakes += 1
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = wakes
+    arc.writhe(1)
+    during = wakes - before
+    done.set()
+    thread.join()
+    assert during > 10
 
 
 def test_an_error_while_printing_stops_the_solve(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,8 +8,10 @@ import os
 import re
 import subprocess
 import sys
+from functools import cached_property
 from importlib.metadata import version
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -18,9 +20,16 @@ from pyrod import plot
 
 PACKAGE = Path(pyrod.__path__[0])
 ROOT = Path(__file__).parents[2]
-BLOCKS = re.findall(
-    r"^```python\n(.*?)^```", (ROOT / "README.md").read_text(), re.DOTALL | re.MULTILINE
-)
+
+
+def blocks(document: str) -> list[str]:
+    """The Python code that a document shows."""
+    text = (ROOT / document).read_text()
+    return re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
+
+
+BLOCKS = blocks("README.md")
+PAGES = [str(p.relative_to(ROOT)) for p in sorted((ROOT / "docs").glob("*.md"))]
 
 
 def python(*arguments: str, **more: str) -> str:
@@ -105,32 +114,48 @@ MODULES = [pyrod.rotation, pyrod.curve]
 
 
 def described() -> list[tuple[str, object]]:
-    """Public functions, and methods that are public in public classes."""
-    found = [
-        (f"{m.__name__}.{n}", f) for m in MODULES for n, f in vars(m).items() if is_own(f, m, n)
-    ]
-    found.append(("pyrod.solve", pyrod.solve))
-    for name, thing in PUBLIC:
+    """Public functions, and what is public in public classes."""
+    found: list[tuple[str, object]] = [("pyrod.solve", pyrod.solve)]
+    for m in MODULES:
+        found += [(f"{m.__name__}.{n}", f) for n, f in vars(m).items() if is_own(f, m, n)]
+    for name, thing in [*PUBLIC, *((n, getattr(pyrod.curve, n)) for n in pyrod.curve.__all__)]:
         if inspect.isclass(thing) and thing.__module__.startswith("pyrod"):
             found += [
                 (f"{name}.{member}", getattr(thing, member))
-                for member in vars(thing)
-                if not member.startswith("_") and inspect.isroutine(getattr(thing, member))
+                for member, value in vars(thing).items()
+                if not member.startswith("_") and tells(value)
             ]
     return found
 
 
+def tells(member: object) -> bool:
+    """A method or something computed; in contrast to a field, which its class describes."""
+    kinds = (property, cached_property, classmethod, staticmethod)
+    return inspect.isroutine(member) or isinstance(member, kinds)
+
+
 def is_own(function: object, module: object, name: str) -> bool:
+    """Of the module itself, or of the package that it is."""
     return (
-        inspect.isfunction(function) and function.__module__ == module.__name__ and name[0] != "_"
+        inspect.isfunction(function)
+        and f"{function.__module__}.".startswith(f"{module.__name__}.")
+        and name[0] != "_"
     )
 
 
-def test_all_is_sorted_and_there() -> None:
-    assert sorted(pyrod.__all__) == pyrod.__all__
+def test_what_is_described_covers_the_curves() -> None:
+    names = {name for name, _ in described()}
+    assert {"pyrod.curve.strains", "pyrod.curve.without_repeats", "pyrod.rotation.exp"} <= names
+    assert {"Polyline.curvature", "Polyline.tangents", "Polyline.edges"} <= names
+    assert {"FramedCurve.sampled", "FramedCurve.K", "FramedCurve.twist", "Rod.straight"} <= names
+
+
+@pytest.mark.parametrize("module", [pyrod, pyrod.curve], ids=["pyrod", "pyrod.curve"])
+def test_all_is_sorted_and_there(module: ModuleType) -> None:
+    assert sorted(module.__all__) == module.__all__
     star: dict[str, object] = {}
-    exec("from pyrod import *", star)
-    assert set(pyrod.__all__) <= set(star)
+    exec(f"from {module.__name__} import *", star)
+    assert set(module.__all__) <= set(star)
 
 
 @pytest.mark.parametrize(("name", "thing"), PUBLIC, ids=pyrod.__all__)
@@ -147,7 +172,18 @@ def test_public_functions_are_documented(name: str, function: object) -> None:
 
 
 @pytest.mark.parametrize(
-    "function", [pyrod.solve, pyrod.curve.strains, pyrod.Rod.energy, plot.draw]
+    "function",
+    [
+        pyrod.solve,
+        pyrod.curve.strains,
+        pyrod.curve.bishop_from_frenet,
+        pyrod.curve.frenet_from_bishop,
+        pyrod.curve.without_repeats,
+        pyrod.curve.Polyline.bishop,
+        pyrod.curve.Polyline.derivative,
+        pyrod.Rod.energy,
+        plot.draw,
+    ],
 )
 def test_parameters_are_described(function: object) -> None:
     doc = inspect.getdoc(function)
@@ -164,6 +200,8 @@ CLASSES = [
     pyrod.Material,
     pyrod.Section,
     pyrod.DistributedForce,
+    pyrod.curve.Polyline,
+    pyrod.curve.FramedCurve,
 ]
 
 
@@ -175,9 +213,10 @@ def test_fields_are_described(made: type) -> None:
 
 
 def test_modules_are_documented() -> None:
-    for path in PACKAGE.glob("*.py"):
+    for path in (*PACKAGE.glob("*.py"), *PACKAGE.glob("curve/*.py")):
+        module = ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
         if path.stem != "__main__":
-            assert importlib.import_module(f"pyrod.{path.stem}").__doc__, path
+            assert importlib.import_module(module).__doc__, path
 
 
 # README -------------------------------------------------------------------------------------------
@@ -195,3 +234,21 @@ def test_the_readme_runs_as_printed(
     exec(compile(block, "README.md", "exec"), {"__name__": "__main__"})
     for picture in re.findall(r'savefig\("(.*?)"\)', block):
         assert (tmp_path / picture).stat().st_size > 1000
+
+
+@pytest.mark.parametrize("page", [p for p in PAGES if blocks(p)])
+def test_the_code_of_a_page_runs_in_order(page: str) -> None:
+    """As a reader would type it: each block knows the names of those before it."""
+    names: dict[str, object] = {"__name__": "__main__"}
+    for block in blocks(page):
+        exec(compile(block, page, "exec"), names)
+
+
+def test_some_page_shows_code() -> None:
+    assert any(blocks(page) for page in PAGES)
+
+
+@pytest.mark.parametrize("page", ["README.md", *PAGES])
+def test_links_lead_somewhere(page: str) -> None:
+    for target in re.findall(r"\]\(([^)#:]+?)(?:#[^)]*)?\)", (ROOT / page).read_text()):
+        assert ((ROOT / page).parent / target).exists(), target

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -55,14 +57,18 @@ def without_repeats(
     Returns the vertices that are kept, and their indices.
     """
     r = np.asarray(positions, dtype=np.float64)
-    if r.ndim != 2:
+    if r.ndim != 2 or r.shape[1] not in (2, 3):
         raise ValueError(f"positions: expected shape (m, 3) or (m, 2), got {r.shape}")
+    if not np.isfinite(r).all():
+        worst = int(np.argmin(np.isfinite(r).all(axis=1)))
+        raise ValueError(f"positions[{worst}]: expected finite numbers, got {r[worst]}")
     if not distance >= 0:
         raise ValueError(f"distance: must not be negative, got {distance}")
+    points = r.tolist()  # for single points much faster than rows of an array
     kept: list[int] = []
-    for j, vertex in enumerate(r):
-        if not kept or np.linalg.norm(vertex - r[kept[-1]]) > distance:
+    for j, point in enumerate(points):
+        if not kept or math.dist(point, points[kept[-1]]) > distance:
             kept.append(j)
-    while closed and len(kept) > 1 and np.linalg.norm(r[kept[-1]] - r[kept[0]]) <= distance:
+    while closed and len(kept) > 1 and math.dist(points[kept[-1]], points[kept[0]]) <= distance:
         kept.pop()
-    return r[kept], np.array(kept)
+    return r[kept], np.array(kept, dtype=np.intp)

@@ -57,7 +57,7 @@ class FramedCurve(Immutable):
     ) -> None:
         if not isinstance(polyline, Polyline):
             polyline = Polyline(polyline)
-        h = frozen(polyline.edge_lengths if edge_lengths is None else edge_lengths)
+        h = polyline.edge_lengths if edge_lengths is None else frozen(edge_lengths)
         if h.shape != (polyline.edges,):
             raise ValueError(f"edge_lengths: expected {polyline.edges}, got shape {h.shape}")
         q = _signed(frames)
@@ -197,7 +197,11 @@ class FramedCurve(Immutable):
 
     def turned(self, angles: ArrayLike) -> FramedCurve:
         """Every frame turned about its a3 by an angle [rad], one for all or (n,)."""
-        phi = np.array(np.broadcast_to(np.asarray(angles, dtype=np.float64), len(self.frames)))
+        n = len(self.frames)
+        phi = np.asarray(angles, dtype=np.float64)
+        if phi.shape not in ((), (n,)):
+            raise ValueError(f"angles: expected one or {n}, one per edge, got shape {phi.shape}")
+        phi = np.array(np.broadcast_to(phi, n))
         ends = {}
         for name, angle in (("start_frame", phi[:1]), ("end_frame", phi[-1:])):
             frame = getattr(self, name)

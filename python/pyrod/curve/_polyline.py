@@ -199,8 +199,11 @@ class Polyline(Immutable):
     def torsion(self, measure: Measure | Literal["sauer"] = "log") -> Array:
         """(n,) torsion tau = alpha/edge length, Linn (4).
 
-        ``measure`` "sauer" is sin(alpha)/length: of second order in alpha too, but no longer
-        growing beyond a right angle, so that it mistakes sharp turns for mild ones.
+        Of second order where neighbouring edges are nearly equal. Where their lengths vary at
+        random it does not converge, but sums of alpha do, see docs/curves.md.
+
+        ``measure`` "sauer" is sin(alpha)/length: of the same order, but no longer growing beyond
+        a right angle, so that it mistakes sharp turns for mild ones.
         """
         if measure == "sauer":
             return np.sin(self.dihedral_angles) / self.edge_lengths
@@ -247,7 +250,7 @@ class Polyline(Immutable):
     def holonomy(self) -> float:
         """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame.
 
-        Equal to -2 pi times the writhe, up to whole turns.
+        Equal to 2 pi times the writhe, up to whole turns.
         """
         self._require_closed("holonomy")
         return self._arc.holonomy()
@@ -257,11 +260,17 @@ class Polyline(Immutable):
 
         O(n^2), for the writhe.
         """
-        if link != int(link):
+        self._require_closed("closed_ribbon")
+        if link != np.trunc(link) or not np.isfinite(link):
             raise ValueError(f"link: must be a whole number, got {link}")
-        twist = 2 * np.pi * (int(link) - self.writhe())
-        inner = np.cumsum(self.cell_lengths[1:])
-        return self.bishop(normal, twist / self.length * np.concatenate([[0.0], inner]))
+        twist = 2 * np.pi * (int(link) - self.writhe()) * self.cell_lengths / self.length
+        worst = int(np.argmax(np.abs(twist)))
+        if not abs(twist[worst]) < np.pi:
+            raise ValueError(
+                f"link: {link} takes half a turn or more at vertex {worst}, which frames cannot "
+                "tell from less; use more edges"
+            )
+        return self.bishop(normal, np.concatenate([[0.0], np.cumsum(twist[1:])]))
 
     def _framed(self, frames: Array, start_frame: Array | None = None) -> FramedCurve:
         from pyrod.curve._framed import FramedCurve
