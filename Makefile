@@ -38,6 +38,7 @@ bench: build/system-packages $(VENV)/package ## run the benchmarks
 	@cmake --preset release
 	@cmake --build --preset release --target bench
 	@$(PY) benchmarks/call_overhead.py build/release/benchmarks/call
+	@$(PY) benchmarks/curves.py
 
 sanitize: build/system-packages ## run the C++ tests under the sanitizers
 	@cmake --workflow --preset asan
