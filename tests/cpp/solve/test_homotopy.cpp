@@ -38,7 +38,8 @@ TEST_CASE("following keeps to the branch it starts on") {
   Moving moving;
   const auto problem = moving.problem(1.9);
   Newton<FlatProblem> newton(problem, few_iterations());
-  const auto path = follow(newton, [&](double λ) { moving.λ = λ; }, Vector::Constant(1, 1.01));
+  const auto path =
+      follow(newton, [&](double λ, Vector&) { moving.λ = λ; }, Vector::Constant(1, 1.01));
   CHECK(path.result.converged());
   CHECK(moving.λ == 1);
   CHECK(path.result.state[0] == doctest::Approx(2.9).epsilon(1e-12));  // not 0.9, the other well
@@ -54,7 +55,7 @@ TEST_CASE("a branch that ends is reported, not jumped over") {
       [&](const Vector& x) -> Dense { return Dense::Constant(1, 1, 2 * x[0]); }};
   Newton<FlatProblem> newton(fold, few_iterations());
   const auto path =
-      follow(newton, [&](double part) { λ = part; }, Vector::Constant(1, std::sqrt(0.5)));
+      follow(newton, [&](double part, Vector&) { λ = part; }, Vector::Constant(1, std::sqrt(0.5)));
   CHECK_FALSE(path.result.converged());
   CHECK(λ > 0.45);
   CHECK(λ < 0.51);
@@ -65,7 +66,8 @@ TEST_CASE("following can be interrupted") {
   const auto problem = moving.problem(1.9);
   int seen = 0;
   Newton<FlatProblem> newton(problem, {}, [&](const Iteration&) { return ++seen < 3; });
-  const auto path = follow(newton, [&](double λ) { moving.λ = λ; }, Vector::Constant(1, 1.2));
+  const auto path =
+      follow(newton, [&](double λ, Vector&) { moving.λ = λ; }, Vector::Constant(1, 1.2));
   CHECK(path.result.status == Status::interrupted);
   CHECK(seen == 3);
 }

@@ -67,6 +67,30 @@ TEST_CASE("the inertia is that of the eigenvalues, with and without a shift") {
   CHECK(indefinite > 100);
 }
 
+TEST_CASE("what is added to the diagonal is factorised, and the matrix is left as it was") {
+  Random random(8);
+  for (int i = 0; i < 30; ++i) {
+    const int size = 1 + i % 10;
+    const Dense D = random_symmetric(random, size);
+    SymmetricMatrix A = sparse(D);
+    const auto values = A.values;
+    Cholesky factor(A);
+    const Vector added = 8 * random.vector(size);
+    const Dense expected = D + Dense(added.asDiagonal());
+    const Inertia inertia = factor.factorise(A, added);
+    CHECK(inertia.negative == negative_eigenvalues(expected));
+    CHECK(inertia.broken == 0);
+    CHECK(A.values == values);  // to the bit
+    const Vector b = random.vector(size), x_expected = solve_dense(expected, b);
+    Vector x;
+    factor.solve(b, x);
+    CHECK(distance(x, x_expected) < 1e-11 * x_expected.norm());  // not pivoted
+    CHECK(factor.factorise(A, Vector::Zero(size)).negative == negative_eigenvalues(D));
+    CHECK(factor.factorise(A, Vector(-D.diagonal())).broken > 0);  // the first pivot is zero
+    CHECK(A.values == values);
+  }
+}
+
 TEST_CASE("changed values are seen by the next factorisation, not before") {
   Random random(4);
   auto A = random_chain<3>(random, 5);

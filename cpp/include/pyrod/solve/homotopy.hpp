@@ -13,18 +13,19 @@ struct Path {
   int steps = 0;         ///< tried, also those that failed
 };
 
-/// The last resort where Newton's method fails from afar. `set(λ)` changes the problem that
-/// `newton` solves; `start` is near its solution at λ = 0. A step that fails is tried again at a
-/// quarter of its length, easy ones let the next be twice as long.
-template <Problem P, class Set>
-Path<typename P::State> follow(Newton<P>& newton, Set&& set, typename P::State start,
-                               double shortest = 1e-4) {
+/// The last resort where Newton's method fails from afar. `set(λ, state)` changes the problem that
+/// `newton` solves, and what of the state the problem prescribes; `start` is near its solution at λ
+/// = 0. A step that fails is tried again at a quarter of its length, easy ones let the next be
+/// twice as long.
+template <class Solver, class Set>
+Path<typename Solver::State> follow(Solver& newton, Set&& set, typename Solver::State start,
+                                    double shortest = 1e-4) {
   constexpr int easy = 5;  // iterations
-  Path<typename P::State> path;
+  Path<typename Solver::State> path;
   std::vector<Iteration> record;
-  const auto solve_at = [&](double λ, const typename P::State& from) {
-    set(λ);
-    auto result = newton.solve(from, Curvature::exact);
+  const auto solve_at = [&](double λ, typename Solver::State from) {
+    set(λ, from);
+    auto result = newton.solve(std::move(from), Curvature::exact);
     record.insert(record.end(), result.record.begin(), result.record.end());
     ++path.steps;
     return result;

@@ -7,6 +7,8 @@
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <concepts>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 
@@ -31,6 +33,14 @@ concept Problem = requires(const P p, const typename P::State x, typename P::Sta
   { p.move(x, v, y) };                         // y = x moved by the increments v
   { p.conservative() } -> std::same_as<bool>;  // whether the energy is a potential of all forces
   { p.multiply_skew(x, v, w) };                // w = (tangent − symmetric part) v
+};
+
+/// A problem with constraints: its stationary points are saddles in the rows of the multipliers.
+template <class P>
+concept Constrained = Problem<P> && requires(const P p) {
+  { p.weights() } -> std::convertible_to<const Vector&>;  // of the primal rows; multipliers: zero
+  { p.unit_energy() } -> std::convertible_to<double>;     // the scale of energies and gradients
+  { p.rounding() } -> std::convertible_to<double>;        // residual that rounding alone leaves
 };
 
 }  // namespace pyrod

@@ -6,7 +6,7 @@
 
 namespace pyrod {
 
-enum class Status { converged, out_of_iterations, stalled, not_finite, interrupted };
+enum class Status { converged, out_of_iterations, stalled, not_finite, interrupted, too_coarse };
 
 constexpr std::string_view name(Status status) {
   switch (status) {
@@ -20,6 +20,8 @@ constexpr std::string_view name(Status status) {
       return "not_finite";
     case Status::interrupted:
       return "interrupted";
+    case Status::too_coarse:
+      return "too_coarse";
   }
   return "unknown";
 }
@@ -42,6 +44,10 @@ constexpr std::string_view advice(Status status) {
              "and use more edges if the rod turns by 2 pi or more from one edge to the next";
     case Status::interrupted:
       return "stopped on request; the last iterate is kept";
+    case Status::too_coarse:
+      return "neighbouring edges came to differ by nearly half a turn or more, so that the shape "
+             "means "
+             "nothing: use more edges where the rod turns most";
   }
   return "";
 }

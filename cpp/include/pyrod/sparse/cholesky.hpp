@@ -60,6 +60,19 @@ class Cholesky {
     return inertia();
   }
 
+  /// Factorises A + diag(added), where A must be the matrix that this looks at. It is left as it
+  /// was.
+  Inertia factorise(SymmetricMatrix& A, const Vector& added) {
+    saved_.resize(std::size_t(A.size()));
+    for (int k = 0; k < A.size(); ++k) {
+      saved_[k] = A.diagonal(k);
+      A.diagonal(k) += added[k];
+    }
+    const Inertia found = factorise();
+    for (int k = 0; k < A.size(); ++k) A.diagonal(k) = saved_[k];
+    return found;
+  }
+
   /// Solves with the last factor; `b` and the result have A's size. `x` may be `b`.
   void solve(const Vector& b, Vector& x) {
     cholmod_dense right{};
@@ -118,6 +131,7 @@ class Cholesky {
   const SymmetricMatrix* matrix_;
   cholmod_common common_;
   cholmod_factor* factor_ = nullptr;
+  std::vector<double> saved_;
   cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
 };
 

@@ -17,6 +17,9 @@ struct SymmetricMatrix {
 
   int size() const { return int(starts.size()) - 1; }
 
+  /// The entry on the diagonal, the last of its column; in the pattern.
+  double& diagonal(int k) { return values[starts[k + 1] - 1]; }
+
   /// out = A x.
   void multiply(const Vector& x, Vector& out) const {
     out.setZero(size());
