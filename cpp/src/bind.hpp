@@ -23,6 +23,7 @@ void curve(py::module_& module);
 void arc(py::module_& module);
 void rod(py::module_& module);
 void statics(py::module_& module);
+void network(py::module_& module);
 
 inline std::string shape_of(const Array& a) {
   return py::str(py::tuple(a.attr("shape"))).cast<std::string>();

@@ -9,4 +9,5 @@ PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   pyrod::bind::arc(module);
   pyrod::bind::rod(module);
   pyrod::bind::statics(module);
+  pyrod::bind::network(module);
 }

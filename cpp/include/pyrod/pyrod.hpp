@@ -8,4 +8,5 @@
 #include <pyrod/curve/link.hpp>
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/rod/section.hpp>
+#include <pyrod/statics/network_run.hpp>
 #include <pyrod/statics/solve.hpp>

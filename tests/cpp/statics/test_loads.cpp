@@ -125,22 +125,6 @@ TEST_CASE_TEMPLATE("distributed loads", Space, EACH_SPACE) {
   CHECK(loads.end_couple.norm() == 0);
 }
 
-TEST_CASE_TEMPLATE("under an even load the section force at the vertices is exact", Space,
-                   EACH_SPACE) {
-  Random random(7);
-  for (const int n : {1, 2, 6}) {
-    const Grid grid = random.grid(n, 3);
-    const Point<Space> tip = random.vector<Space::dim>(), f = random.vector<Space::dim>();
-    Loads<Space> loads(n);
-    loads.add_force(grid, tip, 3);
-    for (const double part : {0.25, 0.75})
-      loads.add_force_per_length(grid, std::vector<Point<Space>>(n, part * f));
-    const auto force = loads.vertex_forces(grid);
-    REQUIRE(force.size() == n + 1);
-    for (int j = 0; j <= n; ++j) CHECK(distance(force[j], tip + (3 - grid.s(j)) * f) < 1e-14);
-  }
-}
-
 TEST_CASE_TEMPLATE("loads that are not finite, or add up to what is not, are refused", Space,
                    EACH_SPACE) {
   Loads<Space> loads(3);

@@ -39,4 +39,12 @@ Spin<Space> turn_under_moment(const Spin<Space>& M, const Spin<Space>& C, const 
   return u;
 }
 
+/// The turn u at which the cell transmits a moment that is M in the components of the frame behind:
+/// Tᵀ m = M.
+template <class Space>
+Spin<Space> turn_under_moment_behind(const Spin<Space>& M, const Spin<Space>& C,
+                                     const Spin<Space>& K0, double Δs) {
+  return -turn_under_moment<Space>(-M, C, -K0, Δs);
+}
+
 }  // namespace pyrod

@@ -46,10 +46,13 @@ struct Rod {
               "]: stiffnesses must be positive (infinite: rigid), got ", stretching[j].transpose());
   }
 
-  /// The stress-free shape, placed with its start at r0 in the frame q0.
+  /// The stress-free shape, placed with its start at r0 in the frame q0. A closed rod is cut open
+  /// there: its shape at rest need not close.
   CosseratCurve<Space> at_rest(const Point<Space>& r0, const typename Space::Rotation& q0) const {
-    return reconstruct<Space>(grid, {K0, std::vector<Point<Space>>(edges(), axis<Space>())}, r0,
-                              q0);
+    Strains<Space> rest{K0, std::vector<Point<Space>>(edges(), axis<Space>())};
+    if (!grid.closed()) return reconstruct<Space>(grid, rest, r0, q0);
+    rest.K.push_back(K0[0]);
+    return reconstruct<Space>(Grid(grid.edge_lengths()), rest, r0, q0);
   }
 };
 

@@ -8,6 +8,7 @@
 #include <pyrod/core/types.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace pyrod {
 
@@ -45,6 +46,9 @@ inline Vec2 unrotate(Angle a, const Vec2& v) { return rotate(a.conjugate(), v); 
 /// The turn with tan(ϑ/4) = q, and back.
 inline Angle cayley(const Vec1& q) { return {4 * std::atan(q[0])}; }
 inline Vec1 inverse_cayley(Angle a) { return Vec1(std::tan(a.radians / 4)); }
+
+/// The same frame by the smaller turn, |angle| ≤ π.
+inline Angle principal(Angle a) { return {std::remainder(a.radians, 2 * std::numbers::pi)}; }
 
 inline Angle moved(Angle a, const Vec1& φ) { return {a.radians + φ[0]}; }
 inline Angle between(Angle a, Angle b, double fraction = 0.5) {

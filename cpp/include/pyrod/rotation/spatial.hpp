@@ -36,6 +36,11 @@ inline Vec3 log(const Quaternion& p) {
   return 2 * half_angle_ratio(p.vec().norm(), p.w()) * p.vec();
 }
 
+/// The same frame by the smaller turn, |log p| ≤ π. For where nothing tells the sign.
+inline Quaternion principal(const Quaternion& p) {
+  return p.w() < 0 ? Quaternion(-p.w(), -p.x(), -p.y(), -p.z()) : p;
+}
+
 /// R itself, with the directors a1, a2, a3 as columns.
 inline Mat3 matrix(const Quaternion& q) { return q.toRotationMatrix(); }
 

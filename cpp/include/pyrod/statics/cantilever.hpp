@@ -5,27 +5,20 @@
 #include <pyrod/rod/moment_law.hpp>
 #include <pyrod/solve/homotopy.hpp>
 #include <pyrod/statics/equilibrium.hpp>
+#include <pyrod/statics/rod_solution.hpp>
 
 namespace pyrod {
 
-/// All there is to know of an equilibrium. Spatial unless a name says material.
+/// A rod in equilibrium, and how it was found.
 template <class Space>
-struct Solution {
-  CosseratCurve<Space> curve;
-  Strains<Space> strains;
-  std::vector<Point<Space>> force;           ///< n on the n edges
-  std::vector<Point<Space>> material_force;  ///< N = Rᵀn
-  std::vector<Spin<Space>> moment;           ///< m at the n + 1 vertices, in balance with the loads
-  std::vector<Spin<Space>> material_moment;  ///< M = C (K − K0)
-  double bend_twist_energy = 0, stretch_shear_energy = 0;
-
+struct Solution : RodSolution<Space> {
   Status status = Status::out_of_iterations;
   int index = -1;
   double residual = 0;
   int load_steps = 0;  ///< 0: all loads at once; else steps in which the forces were brought on
   std::vector<Iteration> record;
 
-  double energy() const { return bend_twist_energy + stretch_shear_energy; }
+  double energy() const { return this->bend_twist_energy + this->stretch_shear_energy; }
 };
 
 /// A rod whose start is held in position and frame, under dead loads.
@@ -80,7 +73,7 @@ class Cantilever {
 
   Solution<Space> bring_on_forces(Problem& problem, const std::vector<Iteration>& before,
                                   const Options& options, const Trace& trace) const {
-    const auto part_of_forces = [&](double part) {
+    const auto part_of_forces = [&](double part, const Frames&) {
       auto forces = loads_.section_forces();
       for (auto& n : forces) n *= part;
       problem.set_forces(std::move(forces));
@@ -114,6 +107,8 @@ class Cantilever {
     out.residual = result.residual;
     out.record = std::move(result.record);
     out.force = loads_.section_forces();
+    out.load = loads_.force;
+    out.load_moment = loads_.total_couple();
     out.curve.frames = std::move(result.state);
     place(out);
     weigh(out);

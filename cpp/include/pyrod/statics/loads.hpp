@@ -10,6 +10,20 @@
 
 namespace pyrod {
 
+/// A force that turns with the frame of an edge and acts on a vertex; material components.
+template <class Space>
+struct FollowerForce {
+  int edge, vertex;
+  Point<Space> force;
+};
+
+/// A moment that turns with the frame of the edge it acts on; material components.
+template <class Space>
+struct FollowerCouple {
+  int edge;
+  Spin<Space> couple;
+};
+
 /// Loads fixed in space, all in spatial components. A force at a vertex acts on its position, a
 /// couple on an edge acts on its frame; the end couple acts on the end of the rod, behind the last
 /// half cell.
@@ -21,6 +35,9 @@ struct Loads {
   Spin<Space> start_couple = Spin<Space>::Zero();  ///< what falls to the start: no edge feels it
   Point<Space> start_share = Point<Space>::Zero(), end_share = Point<Space>::Zero();
   ///< what distributed forces put on the first and the last vertex
+  std::vector<FollowerForce<Space>> following_forces;
+  std::vector<FollowerCouple<Space>> following_couples;
+  Spin<Space> following_end_couple = Spin<Space>::Zero();  ///< in the frame of the end
 
   explicit Loads(int edges)
       : force(edges + 1, Point<Space>::Zero()), couple(edges, Spin<Space>::Zero()) {}
@@ -52,6 +69,49 @@ struct Loads {
     if (j < n) couple[j] += t * M;
   }
 
+  /// A force at arc length s in the components of the frame there: that of the edge, at a vertex
+  /// half in that of either edge.
+  void add_following_force(const Grid& grid, const Point<Space>& F, double s) {
+    s = grid.on_rod(s);
+    const auto& S = grid.arc_lengths();
+    int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
+    j = std::min(j, grid.edges() - 1);
+    const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));
+    const auto put = [&](int edge, int vertex, double part) {
+      if (part > 0) following_forces.push_back({edge, vertex, part * F});
+    };
+    if (t == 0 && j > 0)
+      put(j - 1, j, 0.5), put(j, j, 0.5);
+    else
+      put(j, j, 1 - t), put(j, j + 1, t);
+  }
+
+  void add_following_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
+    for (int j = 0; j < grid.edges(); ++j)
+      for (const int vertex : {j, j + 1})
+        following_forces.push_back({j, vertex, grid.h(j) / 2 * f[j]});
+  }
+
+  /// A couple at arc length s in the components of the frame there, shared like a dead one.
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s) {
+    s = grid.on_rod(s);
+    const int n = grid.edges();
+    if (s == grid.length()) {
+      following_end_couple += M;
+      return;
+    }
+    int j = 0;
+    while (j < n - 1 && grid.centre(j) <= s) ++j;
+    const double left = j == 0 ? grid.centre(0) - 1 : grid.centre(j - 1);
+    const double t = std::clamp((s - left) / (grid.centre(j) - left), 0., 1.);
+    if (j > 0 && t < 1) following_couples.push_back({j - 1, (1 - t) * M});
+    following_couples.push_back({j, j > 0 ? Spin<Space>(t * M) : M});
+  }
+
+  void add_following_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
+    for (int j = 0; j < grid.edges(); ++j) following_couples.push_back({j, grid.h(j) * l[j]});
+  }
+
   /// Force per length f on each edge: half of it goes to either end of the edge.
   void add_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
     const int n = grid.edges();
@@ -76,16 +136,11 @@ struct Loads {
     return n;
   }
 
-  /// n(s_j): the section force at the vertices, just inside the rod at its ends; where a point
-  /// force acts, between its values on either side.
-  std::vector<Point<Space>> vertex_forces(const Grid& grid) const {
-    const auto edge = section_forces();
-    const int n = grid.edges();
-    std::vector<Point<Space>> out{edge[0] + start_share};
-    for (int j = 1; j < n; ++j)
-      out.push_back((grid.h(j) * edge[j - 1] + grid.h(j - 1) * edge[j]) / (2 * grid.Δs(j)));
-    out.push_back(force[n] - end_share);
-    return out;
+  /// Sum of all dead couples.
+  Spin<Space> total_couple() const {
+    Spin<Space> sum = start_couple + end_couple;
+    for (const auto& m : couple) sum += m;
+    return sum;
   }
 
   /// Σ of the couples behind vertex j: the section moments of a rod that no force acts on.

@@ -10,12 +10,6 @@ namespace pyrod {
 enum class Dimension { planar, spatial };
 enum class ModelKind { cosserat, extensible, inextensible };
 
-/// Holds the start of a rod in position and frame.
-struct Clamp {
-  Vec3 position = Vec3::Zero();
-  Quaternion frame = Quaternion::Identity();
-};
-
 /// The planar rod in the a1–a3 plane, or the rod itself. What leaves the plane is refused.
 template <class Space>
 Rod<Space> restricted(const Rod<Spatial>& rod) {
@@ -32,6 +26,22 @@ Rod<Space> restricted(const Rod<Spatial>& rod) {
   return out;
 }
 
+/// Material components of what follows a frame, restricted to the space.
+template <class Space>
+Point<Space> in_plane(const Vec3& F) {
+  const Point<Space> kept = restrict_point<Space>(F);
+  require(embed(kept) == F, "loads: a following force (", F.transpose(),
+          ") leaves the plane of the directors a1 and a3; choose the spatial rod");
+  return kept;
+}
+template <class Space>
+Spin<Space> about_normal(const Vec3& m) {
+  const Spin<Space> kept = restrict_spin<Space>(m);
+  require(embed_spin(kept) == m, "loads: a following moment (", m.transpose(),
+          ") is not about director a2; choose the spatial rod");
+  return kept;
+}
+
 /// Loads in the clamp's frame, restricted to the space; what leaves it by more than rounding is
 /// refused.
 template <class Space>
@@ -39,7 +49,7 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   loads.check();
   double scale = 0;
   for (const auto& F : loads.force) scale = std::max(scale, F.norm());
-  double spin_scale = loads.end_couple.norm();
+  double spin_scale = std::max(loads.end_couple.norm(), loads.start_couple.norm());
   for (const auto& m : loads.couple) spin_scale = std::max(spin_scale, m.norm());
 
   Loads<Space> out(int(loads.couple.size()));
@@ -60,34 +70,19 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   for (std::size_t j = 0; j < loads.force.size(); ++j) out.force[j] = point(loads.force[j]);
   for (std::size_t j = 0; j < loads.couple.size(); ++j) out.couple[j] = spin(loads.couple[j]);
   out.end_couple = spin(loads.end_couple);
+  out.start_couple = spin(loads.start_couple);
+  for (const auto& f : loads.following_forces)
+    out.following_forces.push_back({f.edge, f.vertex, in_plane<Space>(f.force)});
+  for (const auto& c : loads.following_couples)
+    out.following_couples.push_back({c.edge, about_normal<Space>(c.couple)});
+  out.following_end_couple = about_normal<Space>(loads.following_end_couple);
   return out;
 }
 
-/// A solution in the clamp's frame, put where the clamp is.
 template <class Space>
 Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
-  Solution<Spatial> out;
-  const auto to_space = [&](const auto& from, auto& to, auto&& map) {
-    to.reserve(from.size());
-    for (const auto& item : from) to.push_back(map(item));
-  };
-  const auto frame = [&](const auto& q) { return clamp.frame * embed(q); };
-  to_space(local.curve.positions, out.curve.positions,
-           [&](const auto& r) -> Vec3 { return clamp.position + rotate(clamp.frame, embed(r)); });
-  to_space(local.curve.frames, out.curve.frames, frame);
+  Solution<Spatial> out{placed(static_cast<const RodSolution<Space>&>(local), clamp)};
   out.curve.start_frame = clamp.frame;
-  out.curve.end_frame = frame(local.curve.end_frame);
-  to_space(local.force, out.force, [&](const auto& n) { return rotate(clamp.frame, embed(n)); });
-  to_space(local.moment, out.moment,
-           [&](const auto& m) { return rotate(clamp.frame, embed_spin(m)); });
-  to_space(local.strains.K, out.strains.K, [](const auto& K) -> Vec3 { return embed_spin(K); });
-  to_space(local.strains.Γ, out.strains.Γ, [](const auto& Γ) -> Vec3 { return embed(Γ); });
-  to_space(local.material_force, out.material_force,
-           [](const auto& N) -> Vec3 { return embed(N); });
-  to_space(local.material_moment, out.material_moment,
-           [](const auto& M) -> Vec3 { return embed_spin(M); });
-  out.bend_twist_energy = local.bend_twist_energy;
-  out.stretch_shear_energy = local.stretch_shear_energy;
   out.status = local.status;
   out.index = local.index;
   out.residual = local.residual;

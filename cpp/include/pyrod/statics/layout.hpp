@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The unknowns of a network: which there are, and how they are numbered.
+#pragma once
+
+#include <pyrod/sparse/block_symmetric.hpp>
+#include <pyrod/statics/known_forces.hpp>
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+
+namespace pyrod {
+
+template <class Space>
+class Layout : public KnownForces<Space> {
+ public:
+  using Base = KnownForces<Space>;
+  using Base::dim, Base::spin, Base::edge, Base::edges;
+
+  explicit Layout(Network<Space> network) : Base(std::move(network)) {
+    set_units();
+    number();
+  }
+
+  int frame_block(int edge) const { return frame_block_[edge]; }
+  /// −1: the frame, or the position, of the node is no unknown.
+  int turn_block(int node) const { return turn_block_[node]; }
+  int place_block(int node) const { return place_block_[node]; }
+  int hinge_block(int hinge) const { return hinge_block_[hinge]; }
+  const std::vector<int>& sizes() const { return sizes_; }
+  const std::vector<std::vector<int>>& above() const { return above_; }
+  double unit_length() const { return length_; }
+  double unit_force() const { return force_; }
+  double unit_moment() const { return length_ * force_; }
+
+ private:
+  using Base::hinges_, Base::hinged_, Base::edges_at;
+  using Base::net_, Base::spans_, Base::attached_, Base::has_frame_, Base::derived_;
+
+  void set_units() {
+    double stiffness = 0, length = 0;
+    int count = 0;
+    for (const auto& rod : net_.rods) {
+      length = std::max(length, rod.grid.length());
+      for (const auto& C : rod.bending) stiffness += std::log(C.maxCoeff()), ++count;
+    }
+    length_ = length;
+    force_ = std::exp(stiffness / count) / (length * length);
+    for (auto& span : spans_) span.open *= force_;
+    for (auto& node : net_.nodes) node.free *= length_;
+  }
+
+  /// Span by span along each rod: the frames, then the force, so that nothing of it fills the
+  /// frames that follow; the nodes last.
+  void number() {
+    turn_block_.assign(net_.nodes.size(), -1);
+    place_block_ = turn_block_;
+    hinge_block_.assign(hinges_, -1);
+    frame_block_.assign(edges(), -1);
+    for (auto& span : spans_) {
+      for (int j = span.first; j < span.last; ++j) {
+        frame_block_[edge(span.rod, j)] = new_block(spin);
+        if (j > span.first) above_.back().push_back(frame_block_[edge(span.rod, j - 1)]);
+      }
+      if (span.open.cols() == 0) continue;
+      span.block = new_block(int(span.open.cols()));
+      for (int j = span.first; j < span.last; ++j)
+        above_[span.block].push_back(frame_block_[edge(span.rod, j)]);
+    }
+    couple_through_nodes();
+    for (const int v : node_order()) number_node(v);
+    couple_with_nodes();
+  }
+
+  int new_block(int size) {
+    sizes_.push_back(size);
+    above_.emplace_back();
+    return int(sizes_.size()) - 1;
+  }
+
+  void couple_through_nodes() {
+    for (const auto& on : attached_)
+      for (const auto& a : on) {
+        const auto [before, behind] = edges_at(a);
+        if (a.rigid || before < 0 || behind < 0 || before == behind) continue;
+        const auto [I, J] = std::minmax(frame_block_[before], frame_block_[behind]);
+        auto& rows = above_[J];
+        if (std::find(rows.begin(), rows.end(), I) == rows.end()) rows.push_back(I);
+      }
+  }
+
+  void number_node(int v) {
+    const auto& node = net_.nodes[v];
+    if (v < int(hinged_.size()))
+      for (const int h : hinged_[v]) hinge_block_[h] = new_block(1);
+    if (has_frame_[v] && node.turns.cols() > 0) turn_block_[v] = new_block(int(node.turns.cols()));
+    if (node.free.cols() > 0 && !derived_[v]) place_block_[v] = new_block(int(node.free.cols()));
+  }
+
+  void couple_with_nodes() {
+    const auto add = [&](int I, int J) {
+      auto& rows = above_[J];
+      if (I >= 0 && std::find(rows.begin(), rows.end(), I) == rows.end()) rows.push_back(I);
+    };
+    for (const auto& on : attached_)
+      for (const auto& a : on) {
+        if (!a.rigid) continue;
+        const auto [before, behind] = edges_at(a);
+        if (a.hinge) {
+          const int hinge = hinge_block_[a.hinge_number];
+          for (const int e : {before, behind})
+            if (e >= 0) add(frame_block_[e], hinge);
+          if (turn_block_[a.node] >= 0) add(hinge, turn_block_[a.node]);
+        }
+        if (turn_block_[a.node] < 0) continue;
+        if (before >= 0) add(frame_block_[before], turn_block_[a.node]);
+        if (behind >= 0) add(frame_block_[behind], turn_block_[a.node]);
+      }
+    for (const auto& span : spans_)
+      for (const int v : {span.start, span.end})
+        if (place_block_[v] >= 0) add(span.block, place_block_[v]);
+  }
+
+  /// Nodes in the order of approximate minimum degree in the graph of spans.
+  std::vector<int> node_order() const {
+    const int n = int(net_.nodes.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int v = 0; v < n; ++v) entries.emplace_back(v, v, 1.);
+    for (const auto& span : spans_)
+      if (span.start != span.end) {
+        entries.emplace_back(span.start, span.end, 1.);
+        entries.emplace_back(span.end, span.start, 1.);
+      }
+    Eigen::SparseMatrix<double> graph(n, n);
+    graph.setFromTriplets(entries.begin(), entries.end());
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::AMDOrdering<int>()(graph, order);
+    return {order.indices().begin(), order.indices().end()};
+  }
+
+  std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_, sizes_;
+  std::vector<std::vector<int>> above_;
+  double length_ = 1, force_ = 1;
+};
+
+}  // namespace pyrod

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The cells of the vertices of a network, Linn (49): between two edges, or between an edge
+/// and the node or hinge that holds it.
+#pragma once
+
+#include <pyrod/rod/bend_twist.hpp>
+#include <pyrod/solve/problem.hpp>
+#include <pyrod/statics/network_skew.hpp>
+
+namespace pyrod {
+
+template <class Space>
+class NetworkCells : public NetworkSkew<Space> {
+ public:
+  using Base = NetworkSkew<Space>;
+  using Base::dim, Base::spin;
+  using typename Base::Rotation, typename Base::State;
+  using Storage = Linearisation<BlockSymmetric>;
+  using Base::Base;
+
+ protected:
+  using Base::layout_, Base::net_, Base::first_;
+
+  /// The cell of vertex j between two edges.
+  template <Curvature kind>
+  void add_turn(const State& x, int before, int behind, const Rod<Space>& rod, int j, double Δs,
+                Storage& out) const {
+    Rotation W = x.frames[before].conjugate() * x.frames[behind];
+    if (behind < before) W = principal(W);  // the frames of a closed rod need not close their signs
+    const Spin<Space> u = log(W);
+    const auto jet =
+        bend_twist<kind>(u, typename Space::Differential(u), rod.bending[j], rod.K0[j], Δs);
+    const int a = layout_.frame_block(before), b = layout_.frame_block(behind);
+    add_energy(jet.energy, out);
+    out.gradient.template segment<spin>(first_[a]) += jet.a;
+    out.gradient.template segment<spin>(first_[b]) += jet.b;
+    out.hessian.add_diagonal(a, jet.aa);
+    out.hessian.add_diagonal(b, jet.bb);
+    if (a < b)
+      out.hessian.add(a, b, jet.ab);
+    else if (b < a)
+      out.hessian.add(b, a, jet.ab.transpose().eval());
+    else
+      out.hessian.add_diagonal(a, Mat<spin>(jet.ab + jet.ab.transpose()));
+  }
+
+  static void add_energy(double energy, Storage& out) {
+    out.energy += energy;
+    out.magnitude += std::abs(energy);
+  }
+
+  /// The cells at an attached vertex: one from edge to edge, or two halves that meet in the node.
+  template <Curvature kind>
+  void add_attached(const State& x, const Attachment<Space>& a, Storage& out) const {
+    const auto& rod = net_.rods[a.rod];
+    const int n = rod.edges();
+    const bool closed = rod.grid.closed();
+    const int before = a.vertex > 0 ? a.vertex - 1 : closed ? n - 1 : -1;
+    const int behind = a.vertex < n ? a.vertex : -1;
+    if (a.rigid) {
+      if (before >= 0) add_half<kind>(x, a, before, true, out);
+      if (behind >= 0) add_half<kind>(x, a, behind, false, out);
+    } else if (before >= 0 && behind >= 0) {
+      add_turn<kind>(x, layout_.edge(a.rod, before), layout_.edge(a.rod, behind), rod, a.vertex,
+                     rod.grid.Δs(a.vertex), out);
+    }
+  }
+
+  /// Half a cell between an edge and the node it is fixed to. It turns by less than π.
+  template <Curvature kind>
+  void add_half(const State& x, const Attachment<Space>& a, int j, bool before,
+                Storage& out) const {
+    const auto& rod = net_.rods[a.rod];
+    const int e = layout_.edge(a.rod, j), q = layout_.frame_block(e),
+              v = layout_.turn_block(a.node);
+    const Rotation held = held_frame(x, a);
+    const Spin<Space> u =
+        log(principal(before ? x.frames[e].conjugate() * held : held.conjugate() * x.frames[e]));
+    const auto jet = bend_twist<kind>(u, typename Space::Differential(u), rod.bending[a.vertex],
+                                      rod.K0[a.vertex], rod.grid.h(j) / 2);
+    add_energy(jet.energy, out);
+    out.gradient.template segment<spin>(first_[q]) += before ? jet.a : jet.b;
+    out.hessian.add_diagonal(q, before ? jet.aa : jet.bb);
+    const Spin<Space>& g = before ? jet.b : jet.a;
+    const Mat<spin>& H = before ? jet.bb : jet.aa;
+    const Mat<spin> mixed = before ? jet.ab : Mat<spin>(jet.ab.transpose());  // edge × node
+    const auto turns = own_turns(x, a);  // of the held frame, per unknown of the node
+    if (a.hinge) add_hinge<kind>(a, g, H, mixed, turns, q, v, out);
+    if (v < 0) return;
+    out.gradient.segment(first_[v], turns.cols()) += turns.transpose() * g;
+    out.hessian.add_diagonal(v, Eigen::MatrixXd(turns.transpose() * H * turns));
+    out.hessian.add(q, v, Eigen::MatrixXd(mixed * turns));
+  }
+
+  /// The held frame F moves as F ← F exp(α) exp(β) with α from the node and β = δ b from the hinge,
+  /// whose logarithm is α + β + ½ α × β: the product couples the two by what the cell exerts.
+  template <Curvature kind>
+  void add_hinge(const Attachment<Space>& a, const Spin<Space>& g, const Mat<spin>& H,
+                 const Mat<spin>& mixed, const Directions<spin>& turns, int q, int v,
+                 Storage& out) const {
+    const int w = layout_.hinge_block(a.hinge_number);
+    const Spin<Space> b = rotate_spin(a.relative.conjugate(), *a.hinge), Hb = H * b;
+    out.gradient[first_[w]] += b.dot(g);
+    out.hessian.add_diagonal(w, Mat<1>(b.dot(Hb)));
+    out.hessian.add(q, w, Eigen::MatrixXd(mixed * b));
+    if (v < 0) return;
+    Spin<Space> coupling = Hb;
+    if constexpr (kind == Curvature::exact) coupling += spin_skew(b) * g / 2;
+    out.hessian.add(w, v, Eigen::MatrixXd((turns.transpose() * coupling).transpose()));
+  }
+
+  /// The rod's own frame at the node turns by Eᵀ φ if the node turns by φ, E leading from the one
+  /// to the other.
+  Directions<spin> own_turns(const State& x, const Attachment<Space>& a) const {
+    const Rotation back = held_frame(x, a).conjugate() * x.node_frames[a.node];
+    Directions<spin> out = net_.nodes[a.node].turns;
+    for (Eigen::Index i = 0; i < out.cols(); ++i)
+      out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
+    return out;
+  }
+};
+
+}  // namespace pyrod

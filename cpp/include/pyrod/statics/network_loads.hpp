@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file What acts on a network, dead or following it, and the section forces that belong to it.
+#pragma once
+
+#include <pyrod/rod/moment_law.hpp>
+#include <pyrod/statics/network_state.hpp>
+
+namespace pyrod {
+
+template <class Space>
+class NetworkLoads {
+ public:
+  using Rotation = typename Space::Rotation;
+  using State = NetworkState<Space>;
+  static constexpr int dim = Space::dim, spin = Space::spin;
+
+  explicit NetworkLoads(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {
+    for (const auto& loads : net_.loads) {
+      follows_ = follows_ || !loads.following_forces.empty() || !loads.following_couples.empty() ||
+                 !loads.following_end_couple.isZero(0);
+      couples_ = couples_ || loads.has_couples() || !loads.start_couple.isZero(0);
+    }
+    for (const auto& node : net_.nodes) couples_ = couples_ || !node.moment.isZero(0);
+    load(1);
+  }
+
+  /// Lets only a part of all loads act.
+  void load(double part) {
+    part_ = part;
+    dead_ = layout_.dead_forces();
+    for (auto& rod : dead_)
+      for (auto& F : rod) F *= part;
+    known_ = layout_.known_forces(dead_, part);
+    find_couples();
+  }
+
+  bool conservative() const { return !follows_ && (spin == 1 || !couples_); }
+
+  /// What acts, and what it makes of the section forces.
+  struct Forces {
+    VertexForces<Space> vertices;
+    std::vector<Point<Space>> nodes, sections;  ///< sections: n on every edge
+  };
+
+  Forces forces(const State& x) const {
+    Forces out{forces_on_vertices(x), {}, {}};
+    out.nodes = layout_.on_nodes(out.vertices, part_);
+    out.sections = spread(x.forces, follows_ ? layout_.known_forces(out.vertices, part_) : known_,
+                          out.vertices);
+    return out;
+  }
+
+  /// All that acts on the vertices now.
+  VertexForces<Space> forces_on_vertices(const State& x) const {
+    auto out = dead_;
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+      for (const auto& f : net_.loads[rod].following_forces)
+        out[rod][f.vertex] += part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
+    return out;
+  }
+
+  /// The dead couple on an edge, with that of an end that turns freely.
+  Spin<Space> edge_couple(int edge) const {
+    for (const auto& [j, m] : edge_couples_)
+      if (j == edge) return m;
+    return Spin<Space>::Zero();
+  }
+
+  const Layout<Space>& layout() const { return layout_; }
+
+ protected:
+  /// From the force in the first edge of each span to all edges: what acts on vertices in between
+  /// is taken off.
+  std::vector<Point<Space>> spread(const std::vector<Point<Space>>& open,
+                                   const std::vector<Point<Space>>& known,
+                                   const VertexForces<Space>& loads) const {
+    std::vector<Point<Space>> n(layout_.edges());
+    for (int p = 0; p < int(layout_.spans().size()); ++p) {
+      const auto& span = layout_.spans()[p];
+      Point<Space> f = open[p] + known[p];
+      for (int j = span.first; j < span.last; ++j) {
+        if (j > span.first) f -= loads[span.rod][j];
+        n[layout_.edge(span.rod, j)] = f;
+      }
+    }
+    return n;
+  }
+
+  const Layout<Space>& layout_;
+  const Network<Space>& net_;
+  VertexForces<Space> dead_;
+  std::vector<std::pair<int, Spin<Space>>> edge_couples_;       ///< spatial, on edges
+  std::vector<std::pair<int, Spin<Space>>> following_couples_;  ///< material, on edges
+  std::vector<Spin<Space>> node_moment_, node_following_;       ///< spatial; material
+  double part_ = 1;
+  bool follows_ = false, couples_ = false;
+
+ private:
+  void find_couples() {
+    edge_couples_.clear();
+    following_couples_.clear();
+    node_moment_.clear();
+    node_following_.assign(net_.nodes.size(), Spin<Space>::Zero());
+    for (const auto& node : net_.nodes) node_moment_.push_back(part_ * node.moment);
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+      const auto& loads = net_.loads[rod];
+      const int n = net_.rods[rod].edges();
+      const auto& on = layout_.attached(rod);
+      const bool closed = net_.rods[rod].grid.closed();
+      for (int j = 0; j < n; ++j) {
+        Spin<Space> m = loads.couple[j];
+        if (!closed && j == 0 && !on.front().rigid) m += loads.start_couple;
+        if (!closed && j == n - 1 && !on.back().rigid) m += loads.end_couple;
+        if (!m.isZero(0)) edge_couples_.emplace_back(layout_.edge(rod, j), part_ * m);
+      }
+      for (const auto& c : loads.following_couples)
+        following_couples_.emplace_back(layout_.edge(rod, c.edge), part_ * c.couple);
+      if (!closed && !loads.following_end_couple.isZero(0)) find_following_end(rod, on.back());
+      for (const auto& a : on) {
+        if (!a.rigid || closed) continue;
+        if (a.vertex == 0) node_moment_[a.node] += part_ * loads.start_couple;
+        if (a.vertex == n) node_moment_[a.node] += part_ * loads.end_couple;
+      }
+    }
+  }
+
+  /// A moment that follows the end: on the node that the end is fixed to, or on the last edge what
+  /// the half cell hands on.
+  void find_following_end(int rod, const Attachment<Space>& end) {
+    const auto& r = net_.rods[rod];
+    const int n = r.edges();
+    const Spin<Space> M = part_ * net_.loads[rod].following_end_couple;
+    if (end.rigid) {
+      node_following_[end.node] += rotate_spin(end.relative, M);
+      return;
+    }
+    const Spin<Space> u = turn_under_moment_behind<Space>(M, r.bending[n], r.K0[n], r.grid.Δs(n));
+    following_couples_.emplace_back(
+        layout_.edge(rod, n - 1),
+        transmitted_moment<Space>(u, r.bending[n], r.K0[n], r.grid.Δs(n)));
+  }
+
+  std::vector<Point<Space>> known_;
+};
+
+}  // namespace pyrod

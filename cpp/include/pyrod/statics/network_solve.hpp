@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The equilibrium of a network: from few edges to all of them, and down from saddles.
+#pragma once
+
+#include <pyrod/solve/homotopy.hpp>
+#include <pyrod/solve/saddle_newton.hpp>
+#include <pyrod/statics/levels.hpp>
+#include <pyrod/statics/recovery.hpp>
+#include <pyrod/statics/start.hpp>
+
+#include <memory>
+
+namespace pyrod {
+
+/// How a solve of a network went.
+template <class Space>
+struct NetworkResult {
+  NetworkSolution<Space> solution;
+  NetworkState<Space> state;
+  Status status = Status::out_of_iterations;
+  int index = -1;
+  double residual = 0, fill = 1;
+  int unknowns = 0, multipliers = 0;
+  int load_steps = 0;  ///< 0: all loads at once
+  int descents = 0;    ///< saddles that the search left along their unstable modes
+  bool conservative = true;
+  bool neutral = false;           ///< it can move along `mode` without a change of energy
+  std::vector<Spin<Space>> mode;  ///< of the edges, material [rad]; if asked for, or neutral
+  double lowest_eigenvalue = 0;   ///< if it was asked for, [N m]: of ∫ |φ|² ds/L
+  std::vector<Iteration> record;
+};
+
+struct NetworkOptions {
+  bool stable = true;       ///< look for a minimum: leave saddles along their unstable modes
+  bool eigenvalue = false;  ///< find the lowest eigenvalue at the solution
+};
+
+template <class Space>
+class NetworkSolver {
+ public:
+  NetworkSolver(Network<Space> network, const Options& options, const NetworkOptions& more,
+                Trace trace)
+      : network_(std::move(network)), options_(options), more_(more), trace_(std::move(trace)) {
+    fine_ = std::make_unique<Layout<Space>>(network_);
+  }
+
+  const Layout<Space>& layout() const { return *fine_; }
+
+  /// From the shapes that `Start` makes, through coarser grids.
+  NetworkResult<Space> solve() {
+    out_.state = Start<Space>(*fine_).state();
+    if (largest_turn() > std::numbers::pi - 1e-6) return finished();  // no grid tells such a start
+    std::vector<std::unique_ptr<Layout<Space>>> coarser;
+    const auto counts = levels();
+    for (const int edges : counts)
+      coarser.push_back(std::make_unique<Layout<Space>>(coarsened(network_, edges)));
+    const Layout<Space>& first = coarser.empty() ? *fine_ : *coarser.front();
+    const NetworkState<Space> start = std::move(out_.state);
+    at_level(first, coarser.empty() ? start : Start<Space>(first).state(), Curvature::convex, true);
+    for (std::size_t i = 0; i < coarser.size() && converged(); ++i) {
+      const Layout<Space>& to = i + 1 < coarser.size() ? *coarser[i + 1] : *fine_;
+      at_level(to, refined(*coarser[i], out_.state, to), Curvature::exact, false);
+    }
+    if (!converged() && !coarser.empty() && out_.status != Status::interrupted)
+      at_level(*fine_, start, Curvature::convex, true);
+    return finished();
+  }
+
+  /// From a state that is trusted to be near.
+  NetworkResult<Space> solve(NetworkState<Space> start) {
+    at_level(*fine_, std::move(start), Curvature::exact, false, true);
+    return finished();
+  }
+
+ private:
+  using Problem = NetworkEquilibrium<Space>;
+  static constexpr int coarsest = 16, refinement = 8;
+
+  bool converged() const { return out_.status == Status::converged; }
+
+  /// Edges of a span on the coarser grids, the coarsest first. Such that a start does not turn by
+  /// more than half a radian from edge to edge.
+  std::vector<int> levels() const {
+    int longest = 0, turns = 0;
+    for (const auto& span : fine_->spans()) longest = std::max(longest, span.last - span.first);
+    for (const auto& a : fine_->network().attachments) turns = std::max(turns, std::abs(a.turns));
+    double rest = 0;
+    for (const auto& rod : fine_->network().rods) {
+      double sum = 0;
+      for (int j = 0; j < rod.grid.vertices(); ++j) sum += rod.grid.Δs(j) * rod.K0[j].norm();
+      rest = std::max(rest, sum);
+    }
+    const double turn = 2 * std::numbers::pi * turns + rest;
+    std::vector<int> out;
+    for (int n = coarsest * std::max(1, int(std::ceil(turn / 8))); 2 * n <= longest;
+         n *= refinement)
+      out.push_back(n);
+    return out;
+  }
+
+  /// Solves on one grid; the result and its record go to `out_`.
+  void at_level(const Layout<Space>& layout, NetworkState<Space> start, Curvature first,
+                bool resort, bool estimate = false) {
+    Problem problem(layout);
+    SaddleNewton<Problem> newton(problem, options_, trace_, more_.stable);
+    keep(newton.solve(start, first, estimate));
+    if (resort && !converged() && out_.status != Status::interrupted)
+      bring_on_loads(problem, newton, start);
+    for (int i = 0; i < 6 && more_.stable && converged() && out_.index > 0; ++i)
+      if (!descend(problem, newton)) break;
+    out_.fill = newton.fill();
+    out_.unknowns = int(problem.weights().size());
+    out_.multipliers = int((problem.weights().array() == 0).count());
+    out_.conservative = problem.conservative();
+    if (&layout == fine_.get() && converged() && out_.conservative) look_at_modes(problem, newton);
+  }
+
+  void look_at_modes(const Problem& problem, SaddleNewton<Problem>& newton) {
+    auto mode = newton.neutral_mode();
+    out_.neutral = mode.has_value();
+    if (more_.eigenvalue) {
+      mode = newton.lowest_mode();
+      out_.lowest_eigenvalue = mode->eigenvalue;
+    }
+    out_.mode.clear();
+    for (int j = 0; mode && j < fine_->edges(); ++j)
+      out_.mode.push_back(mode->shape.template segment<Space::spin>(problem.first_row(j)));
+  }
+
+  void keep(Result<NetworkState<Space>>&& result) {
+    out_.record.insert(out_.record.end(), result.record.begin(), result.record.end());
+    out_.status = result.status;
+    out_.index = result.index;
+    out_.residual = result.residual;
+    out_.state = std::move(result.state);
+  }
+
+  /// The last resort: first the supports alone, then the loads in steps; and if that fails, from
+  /// the shapes at rest with loads and motions of the supports brought on together.
+  void bring_on_loads(Problem& problem, SaddleNewton<Problem>& newton,
+                      const NetworkState<Space>& start) {
+    const auto steps = [&](auto&& set, const NetworkState<Space>& from) {
+      auto path = follow(newton, set, from);
+      problem.load(1);
+      out_.load_steps += path.steps;
+      keep(std::move(path.result));
+    };
+    steps([&](double part, NetworkState<Space>&) { problem.load(part); }, start);
+    if (converged() || out_.status == Status::interrupted) return;
+    const Start<Space> shapes(problem.layout());
+    const NetworkState<Space> rest = shapes.at_rest();
+    steps(
+        [&](double part, NetworkState<Space>& x) {
+          problem.load(part);
+          shapes.move_supports(part, rest, x);
+        },
+        rest);
+  }
+
+  /// Leaves a saddle along its unstable mode, to the side where a minimum, or less of a saddle, is
+  /// found.
+  bool descend(const Problem& problem, SaddleNewton<Problem>& newton) {
+    const auto mode = newton.lowest_mode();
+    if (!(mode.eigenvalue < 0)) return false;
+    const int before = out_.index;
+    Options careful = options_;  // short steps, so as to find the nearest minimum
+    careful.trust = std::min(options_.trust, 0.5);
+    newton.set(careful);
+    for (const double step : {0.3, -0.3, 1., -1.}) {
+      NetworkState<Space> away;
+      problem.move(out_.state, step * mode.shape, away);
+      auto result = newton.solve(std::move(away), Curvature::exact);
+      if (result.converged() && result.index < before) {
+        ++out_.descents;
+        keep(std::move(result));
+        newton.set(options_);
+        return true;
+      }
+      out_.record.insert(out_.record.end(), result.record.begin(), result.record.end());
+    }
+    newton.set(options_);
+    return false;
+  }
+
+  NetworkResult<Space> finished() {
+    const Problem problem(*fine_);
+    if (int(out_.state.frames.size()) != fine_->edges()) out_.state = Start<Space>(*fine_).state();
+    if (!converged() && out_.status != Status::interrupted && largest_turn() > 2.5)
+      out_.status = Status::too_coarse;
+    out_.solution = Recovery<Space>(problem, out_.state).solution();
+    return std::move(out_);
+  }
+
+  /// Between neighbouring edges [rad].
+  double largest_turn() const {
+    double largest = 0;
+    for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod)
+      for (int j = 1; j < fine_->network().rods[rod].edges(); ++j) {
+        const auto &a = out_.state.frames[fine_->edge(rod, j - 1)],
+                   &b = out_.state.frames[fine_->edge(rod, j)];
+        largest = std::max(largest, log(a.conjugate() * b).norm());
+      }
+    return largest;
+  }
+
+  Network<Space> network_;  // as given: what a layout makes of it has its units and nodes already
+  Options options_;
+  NetworkOptions more_;
+  Trace trace_;
+  std::unique_ptr<Layout<Space>> fine_;
+  NetworkResult<Space> out_;
+};
+
+}  // namespace pyrod

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file A network cut into spans: parts of rods between neighbouring nodes.
+#pragma once
+
+#include <pyrod/scene/network.hpp>
+
+#include <numeric>
+
+namespace pyrod {
+
+/// The part of a rod between two neighbouring nodes, its edges [first, last).
+template <class Space>
+struct Span {
+  int rod, first, last;
+  int start, end;               ///< nodes
+  Directions<Space::dim> open;  ///< directions in which the section force is not known
+  int block = -1;               ///< of its unknowns
+};
+
+/// The network with a node at every end, without frames of nodes that nothing needs, and its spans.
+template <class Space>
+class Spans {
+ public:
+  static constexpr int dim = Space::dim, spin = Space::spin;
+
+  explicit Spans(Network<Space> network) : net_(std::move(network)) {
+    check();
+    add_free_ends();
+    drop_idle_frames();
+    cut_into_spans();
+    check_reach();
+  }
+
+  const Network<Space>& network() const { return net_; }
+  const std::vector<Span<Space>>& spans() const { return spans_; }
+  int edges() const { return edge_offset_.back(); }
+  /// Number of edge j of a rod among all edges.
+  int edge(int rod, int j) const { return edge_offset_[rod] + j; }
+  /// Attachments of a rod, in the order of its vertices.
+  const std::vector<Attachment<Space>>& attached(int rod) const { return attached_[rod]; }
+  /// The spans at a node, with whether they end there.
+  const std::vector<std::pair<int, bool>>& spans_at(int node) const { return spans_at_[node]; }
+  int hinges() const { return hinges_; }
+
+ protected:
+  bool closed(int rod) const { return net_.rods[rod].grid.closed(); }
+
+  /// The edges before and behind an attached vertex; −1: none.
+  std::pair<int, int> edges_at(const Attachment<Space>& a) const {
+    const int n = net_.rods[a.rod].edges();
+    const int before = a.vertex > 0 ? a.vertex - 1 : closed(a.rod) ? n - 1 : -1;
+    return {before < 0 ? -1 : edge(a.rod, before), a.vertex < n ? edge(a.rod, a.vertex) : -1};
+  }
+
+  Network<Space> net_;
+  std::vector<std::vector<Attachment<Space>>> attached_;
+  std::vector<Span<Space>> spans_;
+  std::vector<std::vector<std::pair<int, bool>>> spans_at_;
+  std::vector<char> has_frame_;
+  std::vector<int> edge_offset_;
+  int hinges_ = 0;
+  std::vector<std::vector<int>> hinged_;  ///< hinges at each node
+
+ private:
+  void check() const {
+    require(!net_.rods.empty(), "rods: expected at least one");
+    require(net_.loads.size() == net_.rods.size(), "loads: expected one per rod");
+    for (const auto& a : net_.attachments) {
+      require(a.rod >= 0 && a.rod < int(net_.rods.size()), "attachment: no rod ", a.rod);
+      require(a.node >= 0 && a.node < int(net_.nodes.size()), "attachment: no node ", a.node);
+      const auto& grid = net_.rods[a.rod].grid;
+      require(a.vertex >= 0 && a.vertex < grid.vertices(), "attachment: rod ", a.rod,
+              " has no vertex ", a.vertex);
+    }
+  }
+
+  void add_free_ends() {
+    attached_.resize(net_.rods.size());
+    hinged_.resize(net_.nodes.size());
+    for (auto& a : net_.attachments) {
+      if (a.hinge) a.hinge_number = hinges_++, hinged_[a.node].push_back(a.hinge_number);
+      attached_[a.rod].push_back(a);
+    }
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+      auto& on = attached_[rod];
+      std::sort(on.begin(), on.end(),
+                [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+      for (std::size_t i = 1; i < on.size(); ++i)
+        require(on[i].vertex != on[i - 1].vertex, "supports: vertex ", on[i].vertex, " of rod ",
+                rod, " is held twice; join the two, or use more edges between them");
+      if (on.empty() || on.front().vertex != 0) on.insert(on.begin(), {rod, 0, new_node(), false});
+      const int n = net_.rods[rod].edges();
+      if (!closed(rod) && on.back().vertex != n) on.push_back({rod, n, new_node(), false});
+    }
+  }
+
+  int new_node() {
+    net_.nodes.emplace_back();
+    return int(net_.nodes.size()) - 1;
+  }
+
+  /// A node's own frame is needed where two rods share it, where something acts on it or holds it.
+  void drop_idle_frames() {
+    std::vector<int> rigid(net_.nodes.size(), 0);
+    for (const auto& on : attached_)
+      for (const auto& a : on) rigid[a.node] += a.rigid;
+    for (auto& on : attached_)
+      for (auto& a : on) {
+        auto& node = net_.nodes[a.node];
+        if (!a.rigid || rigid[a.node] > 1 || node.turns.cols() < spin || node.torsion_spring > 0)
+          continue;
+        const int n = net_.rods[a.rod].edges();
+        const bool end = !closed(a.rod) && (a.vertex == 0 || a.vertex == n);
+        if (!end && !node.moment.isZero(0)) continue;
+        if (end)
+          (a.vertex == 0 ? net_.loads[a.rod].start_couple : net_.loads[a.rod].end_couple) +=
+              node.moment;
+        node.moment.setZero();
+        a.rigid = false;
+      }
+    has_frame_.assign(net_.nodes.size(), false);
+    for (const auto& on : attached_)
+      for (const auto& a : on) has_frame_[a.node] = has_frame_[a.node] || a.rigid;
+  }
+
+  void cut_into_spans() {
+    edge_offset_.assign(1, 0);
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+      const int n = net_.rods[rod].edges();
+      edge_offset_.push_back(edge_offset_.back() + n);
+      const auto& on = attached_[rod];
+      for (std::size_t i = 0; i < on.size(); ++i) {
+        const bool last = i + 1 == on.size();
+        if (last && !closed(rod)) continue;
+        const int end = last ? n : on[i + 1].vertex;
+        Span<Space> span{
+            rod, on[i].vertex, end, on[i].node, on[last ? 0 : i + 1].node, Mat<dim>::Identity()};
+        spans_.push_back(span);
+      }
+    }
+    spans_at_.resize(net_.nodes.size());
+    for (int p = 0; p < int(spans_.size()); ++p) {
+      spans_at_[spans_[p].start].emplace_back(p, false);
+      spans_at_[spans_[p].end].emplace_back(p, true);
+    }
+  }
+
+  /// A rod that cannot stretch must reach from one held point to the next.
+  void check_reach() const {
+    for (const auto& span : spans_) {
+      const auto &a = net_.nodes[span.start], &b = net_.nodes[span.end];
+      if (a.free.cols() > 0 || b.free.cols() > 0) continue;
+      const auto& rod = net_.rods[span.rod];
+      double length = 0;
+      bool gives = false;
+      for (int j = span.first; j < span.last; ++j) {
+        length += rod.grid.h(j);
+        gives = gives || !rod.stretching[j].array().isInf().all();
+      }
+      const double apart = (b.position - a.position).norm();
+      require(
+          gives || apart <= length * (1 + 1e-9), "supports: two points of rod ", span.rod,
+          " are held ", apart, " apart, with ", length,
+          " of a rod between them that cannot stretch; bring them nearer or give it a finite EA");
+    }
+  }
+};
+
+}  // namespace pyrod

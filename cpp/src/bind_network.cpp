@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "statics.hpp"
+
+#include <pyrod/statics/network_run.hpp>
+
+namespace pyrod::bind {
+
+namespace {
+
+/// Strains that the model excludes are rigid.
+Rod<Spatial> masked(Rod<Spatial> rod, ModelKind model) {
+  for (auto& C : rod.stretching) {
+    if (model != ModelKind::cosserat) C[0] = C[1] = Section::rigid;
+    if (model == ModelKind::inextensible) C[2] = Section::rigid;
+  }
+  return rod;
+}
+
+/// k orthonormal directions, (k, 3), as columns.
+Directions<3> directions(const Array& rows, const char* name) {
+  Directions<3> out(3, rows.shape(0));
+  const auto given = vectors<3>(rows, name);
+  for (std::size_t i = 0; i < given.size(); ++i) out.col(Eigen::Index(i)) = given[i];
+  return out;
+}
+
+int add_node(Network<Spatial>& net, const Array& position, const Array& free, const Array& frame,
+             const Array& turns, double spring, double torsion_spring) {
+  Node<Spatial> node;
+  node.position = vector3(position, "position");
+  node.free = directions(free, "free");
+  node.frame = quaternion(frame, "frame");
+  node.turns = directions(turns, "turns");
+  node.spring = spring;
+  node.torsion_spring = torsion_spring;
+  net.nodes.push_back(node);
+  return int(net.nodes.size()) - 1;
+}
+
+template <class Space>
+py::dict results(const Network<Spatial>& net, const NetworkRun<Space>& run) {
+  const auto& r = run.result;
+  py::dict out;
+  py::list rods;
+  for (std::size_t i = 0; i < run.rods.size(); ++i)
+    rods.append(rod_results(net.rods[i].grid, run.rods[i]));
+  out["rods"] = py::tuple(rods);
+  std::vector<Vec3> position, force, moment;
+  std::vector<Quaternion> frame;
+  for (std::size_t v = 0; v < net.nodes.size(); ++v) {
+    position.push_back(run.nodes[v].position);
+    force.push_back(run.nodes[v].reaction_force);
+    moment.push_back(run.nodes[v].reaction_moment);
+    frame.push_back(run.nodes[v].frame);
+  }
+  out["node_positions"] = array<3>(position);
+  out["node_frames"] = array(frame);
+  out["reaction_forces"] = array<3>(force);
+  out["reaction_moments"] = array<3>(moment);
+  add_status(out, r.status, r.record);
+  out["index"] = r.index;
+  out["residual"] = r.residual;
+  out["load_steps"] = r.load_steps;
+  out["descents"] = r.descents;
+  out["unknowns"] = r.unknowns;
+  out["multipliers"] = r.multipliers;
+  out["fill"] = r.fill;
+  out["lowest_eigenvalue"] = r.lowest_eigenvalue;
+  out["neutral"] = r.neutral;
+  std::vector<Vec3> mode;
+  for (const auto& φ : r.mode) mode.push_back(embed_spin(φ));
+  out["mode"] = array<3>(mode);
+  return out;
+}
+
+std::optional<NetworkStart> start_of(const std::optional<py::tuple>& given) {
+  if (!given) return std::nullopt;
+  return NetworkStart{quaternions((*given)[0].cast<Array>(), "start"),
+                      vectors<3>((*given)[1].cast<Array>(), "start"),
+                      quaternions((*given)[2].cast<Array>(), "start")};
+}
+
+py::dict solve_network(const Network<Spatial>& net, Dimension dimension, const Array& origin,
+                       const Array& frame, const std::optional<py::tuple>& start,
+                       const Options& options, bool stable, bool eigenvalue,
+                       const std::optional<py::function>& trace) {
+  const Clamp at{vector3(origin, "origin"), quaternion(frame, "frame")};
+  const auto from = start_of(start);
+  const auto show = python_trace(trace);
+  const NetworkOptions more{stable, eigenvalue};
+  const auto solved = [&]<class Space>(Space) {
+    const auto done = [&] {
+      const py::gil_scoped_release release;
+      return run<Space>(net, at, from, options, more, show);
+    }();
+    return results(net, done);
+  };
+  return dimension == Dimension::planar ? solved(Planar{}) : solved(Spatial{});
+}
+
+}  // namespace
+
+void network(py::module_& module) {
+  py::class_<Network<Spatial>>(module, "Network", "Rods that meet in nodes.")
+      .def(py::init())
+      .def(
+          "add_rod",
+          [](Network<Spatial>& net, const Rod<Spatial>& rod, ModelKind model,
+             const GridLoads& loads, const Array& position, const Array& frame) {
+            net.rods.push_back(masked(rod, model));
+            net.loads.push_back(loads.loads);
+            net.placements.push_back({vector3(position, "position"), quaternion(frame, "frame")});
+          },
+          py::arg("rod"), py::arg("model"), py::arg("loads"), py::arg("position"), py::arg("frame"))
+      .def("add_node", &add_node, py::arg("position"), py::arg("free"), py::arg("frame"),
+           py::arg("turns"), py::arg("spring"), py::arg("torsion_spring"))
+      .def(
+          "attach",
+          [](Network<Spatial>& net, int rod, int vertex, int node, bool rigid,
+             const Array& relative, int turns, const std::optional<Array>& hinge) {
+            net.attachments.push_back(
+                {rod, vertex, node, rigid, quaternion(relative, "relative"), turns});
+            if (hinge) net.attachments.back().hinge = vector3(*hinge, "hinge");
+          },
+          py::arg("rod"), py::arg("vertex"), py::arg("node"), py::arg("rigid"), py::arg("relative"),
+          py::arg("turns"), py::arg("hinge"))
+      .def("solve", &solve_network, py::arg("dimension"), py::arg("origin"), py::arg("frame"),
+           py::arg("start"), py::arg("options"), py::arg("stable"), py::arg("eigenvalue"),
+           py::arg("trace"));
+}
+
+}  // namespace pyrod::bind

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Coarser copies of networks, and the way back.
+#include "support/network.hpp"
+
+#include "support/models.hpp"
+#include "support/near.hpp"
+
+#include <pyrod/rod/section.hpp>
+
+using namespace pyrod;
+using namespace pyrod::test;
+
+namespace {
+
+template <class Space>
+struct Totals {
+  Spin<Space> give = Spin<Space>::Zero(), turn = Spin<Space>::Zero();
+  Point<Space> stretch = Point<Space>::Zero();
+};
+
+template <class Space>
+Totals<Space> totals(const Rod<Space>& rod) {
+  Totals<Space> out;
+  for (int j = 0; j < rod.grid.vertices(); ++j) {
+    out.give += rod.grid.Δs(j) * rod.bending[j].cwiseInverse();
+    out.turn += rod.grid.Δs(j) * rod.K0[j];
+  }
+  for (int j = 0; j < rod.edges(); ++j)
+    out.stretch += rod.grid.h(j) * rod.stretching[j].cwiseInverse();
+  return out;
+}
+
+/// Dead and following, on vertices and edges: sums, and first moments about the start.
+template <class Space>
+struct Sums {
+  Point<Space> force = Point<Space>::Zero(), lever = Point<Space>::Zero();
+  Point<Space> following = Point<Space>::Zero(), following_lever = Point<Space>::Zero();
+  Spin<Space> couple = Spin<Space>::Zero(), following_couple = Spin<Space>::Zero();
+};
+
+template <class Space>
+Sums<Space> sums(const Loads<Space>& loads, const Grid& grid) {
+  Sums<Space> out;
+  for (int j = 0; j <= grid.edges(); ++j) {
+    out.force += loads.force[j];
+    out.lever += grid.s(j) * loads.force[j];
+  }
+  for (const auto& f : loads.following_forces) {
+    out.following += f.force;
+    out.following_lever += grid.s(f.vertex) * f.force;
+  }
+  out.couple = loads.total_couple();
+  for (const auto& m : loads.following_couples) out.following_couple += m.couple;
+  return out;
+}
+
+template <class Space>
+Rod<Space> random_closed_rod(Random& random, int edges) {
+  auto rod = random.rod<Space>(edges);
+  rod.grid = Grid(rod.grid.edge_lengths(), Closure::closed);
+  rod.bending.pop_back(), rod.K0.pop_back();
+  return rod;
+}
+
+}  // namespace
+
+TEST_CASE("vertices that are kept: the given ones, and between them the most even ones") {
+  Random random(1);
+  for (const int n : {5, 40, 41, 200}) {
+    const Grid grid = random.grid(n);
+    const std::vector<int> fixed{0, n / 3, n};
+    for (const int edges : {1, 4, 16}) {
+      const auto kept = detail::kept_vertices(grid, fixed, edges);
+      for (std::size_t i = 1; i < kept.size(); ++i) CHECK(kept[i - 1] < kept[i]);
+      for (std::size_t i = 1; i < fixed.size(); ++i) {
+        const auto first = std::find(kept.begin(), kept.end(), fixed[i - 1]),
+                   last = std::find(kept.begin(), kept.end(), fixed[i]);
+        REQUIRE(last != kept.end());
+        const int fine = fixed[i] - fixed[i - 1];
+        CHECK(last - first <= std::min(edges, fine));
+        if (fine >= 3 * edges) CHECK(last - first == edges);
+        if (last - first < edges) continue;
+        const double start = grid.s(fixed[i - 1]), length = grid.s(fixed[i]) - start;
+        for (int k = 1; k < edges; ++k) {
+          const double gap = std::abs(grid.s(first[k]) - (start + length * k / edges));
+          CHECK(gap <= grid.edge_lengths().maxCoeff() / 2 + 1e-15);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a merged rod gives as much and is bent as much, in all", Space, EACH_SPACE) {
+  Random random(2);
+  for (const bool closed : {false, true})
+    for (const int n : {12, 32, 61}) {
+      CAPTURE(n);
+      const auto rod = closed ? random_closed_rod<Space>(random, n) : random.rod<Space>(n);
+      const auto merged = detail::merged(rod, detail::kept_vertices(rod.grid, {0, n / 4, n}, 3));
+      CHECK(merged.edges() < n);
+      CHECK(merged.grid.closed() == closed);
+      CHECK(merged.grid.length() == doctest::Approx(rod.grid.length()).epsilon(1e-14));
+      const auto a = totals(rod), b = totals(merged);
+      CHECK(distance(a.give, b.give) < 1e-13 * a.give.norm());
+      CHECK(distance(a.turn, b.turn) < 1e-13);
+      CHECK(distance(a.stretch, b.stretch) < 1e-13 * a.stretch.norm());
+    }
+}
+
+TEST_CASE_TEMPLATE("a uniform rod, merged, is the uniform rod on the coarse grid", Space,
+                   EACH_SPACE) {
+  Random random(3);
+  const Spin<Space> C = random.between<Space::spin>(1, 2), K0 = random.vector<Space::spin>();
+  const Point<Space> S = random.between<Space::dim>(10, 20);
+  for (const bool even : {true, false}) {
+    const Grid grid = even ? Grid::uniform(1, 64) : random.grid(64);
+    const auto merged = detail::merged(Rod<Space>::uniform(grid, C, S, K0),
+                                       detail::kept_vertices(grid, {0, 64}, 8));
+    REQUIRE(merged.edges() == 8);
+    for (const auto& c : merged.bending) CHECK(distance(c, C) < 1e-13);
+    for (const auto& k : merged.K0) CHECK(distance(k, K0) < 1e-13);
+    for (const auto& s : merged.stretching) CHECK(distance(s, S) < 1e-12);
+  }
+}
+
+TEST_CASE_TEMPLATE("a rigid strain stays rigid", Space, EACH_SPACE) {
+  const Grid grid = Grid::uniform(1, 12);
+  const Point<Space> S = Point<Space>::Constant(Section::rigid);
+  const auto merged = detail::merged(Rod<Space>::uniform(grid, Spin<Space>::Ones(), S),
+                                     detail::kept_vertices(grid, {0, 12}, 4));
+  for (const auto& s : merged.stretching) CHECK(s == S);
+}
+
+TEST_CASE_TEMPLATE("merged loads have the sums and the first moments of all", Space, EACH_SPACE) {
+  Random random(4);
+  const int n = 37;
+  const Grid grid = random.grid(n);
+  Loads<Space> loads(n);
+  for (auto& F : loads.force) F = random.vector<Space::dim>();
+  for (auto& m : loads.couple) m = random.vector<Space::spin>();
+  loads.start_couple = random.vector<Space::spin>();
+  loads.end_couple = random.vector<Space::spin>();
+  loads.following_end_couple = random.vector<Space::spin>();
+  for (int k = 0; k < 9; ++k) {
+    const int j = std::min(n - 1, int(random.number(0, n)));
+    loads.following_forces.push_back({j, j + k % 2, random.vector<Space::dim>()});
+    loads.following_couples.push_back({j, random.vector<Space::spin>()});
+  }
+  const auto kept = detail::kept_vertices(grid, {0, 11, n}, 4);
+  const auto merged = detail::merged(loads, grid, kept);
+  Vector h(int(kept.size()) - 1);
+  for (int J = 0; J < int(h.size()); ++J) h[J] = grid.s(kept[J + 1]) - grid.s(kept[J]);
+  const auto a = sums(loads, grid), b = sums(merged, Grid(h));
+  CHECK(distance(a.force, b.force) < 1e-14);
+  CHECK(distance(a.lever, b.lever) < 1e-14);
+  CHECK(distance(a.following, b.following) < 1e-14);
+  CHECK(distance(a.following_lever, b.following_lever) < 1e-14);
+  CHECK(distance(a.couple, b.couple) < 1e-14);
+  CHECK(distance(a.following_couple, b.following_couple) < 1e-14);
+  CHECK(merged.start_couple == loads.start_couple);
+  CHECK(merged.end_couple == loads.end_couple);
+  CHECK(merged.following_end_couple == loads.following_end_couple);
+  for (const auto& f : merged.following_forces)  // on an end of the edge that it follows, or near
+    CHECK((f.vertex >= 0 && f.vertex <= int(h.size()) && f.edge < int(h.size())));
+}
+
+TEST_CASE_TEMPLATE("a coarser network: its supports stay where they are", Space, EACH_SPACE) {
+  Random random(5);
+  Structure<Space> s;
+  s.add(random.rod<Space>(50));
+  s.clamp(0, 0), s.hinge(0, 17), s.roller(0, 20, 0), s.clamp(0, 50);
+  const auto coarse = coarsened(s.net, 4);
+  REQUIRE(coarse.attachments.size() == 4);
+  const Grid &grid = coarse.rods[0].grid, &fine = s.net.rods[0].grid;
+  CHECK(coarse.rods[0].edges() == 4 + 3 + 4);
+  for (int i = 0; i < 4; ++i)
+    CHECK(grid.s(coarse.attachments[i].vertex) ==
+          doctest::Approx(fine.s(s.net.attachments[i].vertex)).epsilon(1e-14));
+  const auto same = coarsened(s.net, 50);  // nothing to merge
+  CHECK(same.rods[0].edges() == 50);
+  for (int j = 0; j <= 50; ++j) {
+    CHECK(distance(same.rods[0].K0[j], s.net.rods[0].K0[j]) < 1e-12);
+    CHECK(distance(same.rods[0].bending[j], s.net.rods[0].bending[j]) < 1e-12);
+    CHECK(distance(same.loads[0].force[j], s.net.loads[0].force[j]) < 1e-15);
+  }
+}
+
+TEST_CASE_TEMPLATE("a refined helix is the helix, on any two grids", Space, EACH_SPACE) {
+  Random random(6);
+  const Spin<Space> K = random.turn<Space>(5);
+  const auto layout_on = [&](const Grid& grid) {
+    Structure<Space> s;
+    s.clamp(s.add(Rod<Space>::uniform(grid, Spin<Space>::Ones(), Point<Space>::Ones(), K)), 0);
+    s.hinge(0, grid.edges());
+    return Layout<Space>(s.net);
+  };
+  const auto start = random.rotation<Space>();
+  for (const auto& [from, to] : {std::pair{3, 50}, {8, 8}, {16, 31}, {20, 5}}) {
+    CAPTURE(from);
+    const auto coarse = layout_on(random.grid(from)), fine = layout_on(random.grid(to));
+    const auto frames = [&](const Layout<Space>& layout) {
+      const auto& rod = layout.network().rods[0];
+      return rod.at_rest(Point<Space>::Zero(), start).frames;
+    };
+    const NetworkState<Space> x{frames(coarse),
+                                {start, start},
+                                {random.vector<Space::dim>()},
+                                {random.vector<Space::dim>(), random.vector<Space::dim>()},
+                                {}};
+    const auto y = refined(coarse, x, fine);
+    CHECK(distance(y.frames, frames(fine)) < 1e-13);
+    CHECK(distance(y.forces, x.forces) == 0);
+    CHECK(distance(y.positions, x.positions) == 0);
+    CHECK(distance(y.node_frames, x.node_frames) == 0);
+  }
+}
