@@ -9,11 +9,15 @@ from importlib.metadata import version as _version
 
 from pyrod import curve, rotation
 from pyrod._core import Options
-from pyrod.equilibrium import Equilibrium, solve
+from pyrod._solve import solve
+from pyrod.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.errors import NotConverged, StrainWarning, UnstableWarning
+from pyrod.joints import Joint
+from pyrod.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
 from pyrod.rod import Rod
-from pyrod.scene import Clamp, DistributedForce, DistributedMoment, Force, Moment, Scene
+from pyrod.scene import Scene
 from pyrod.section import Material, Section
+from pyrod.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring
 
 __version__ = _version("pyrod")
 
@@ -23,13 +27,21 @@ __all__ = [
     "DistributedMoment",
     "Equilibrium",
     "Force",
+    "Gravity",
+    "Hinge",
+    "Joint",
     "Material",
     "Moment",
     "NotConverged",
     "Options",
+    "Pivot",
     "Rod",
+    "RodEquilibrium",
     "Scene",
     "Section",
+    "Sleeve",
+    "Slider",
+    "Spring",
     "StrainWarning",
     "UnstableWarning",
     "curve",

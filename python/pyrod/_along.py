@@ -15,24 +15,32 @@ Sections = Union[Section, Sequence[Section], Callable[[float], Section]]
 Curvature = Union[ArrayLike, Callable[[float], ArrayLike]]
 
 
-def stiffness(section: Sections, h: Array) -> tuple[Array, Array, Model]:
-    """Stiffnesses at vertices and of edges, and the richest model they allow."""
+def stiffness(section: Sections, h: Array) -> tuple[Array, Array, Array, Model]:
+    """Stiffnesses at vertices and of edges, masses of these, and the richest model they allow."""
     if isinstance(section, Section):
         n = len(h)
         bending, stretching = section.bending, section.stretching
-        return np.tile(bending, (n + 1, 1)), np.tile(stretching, (n, 1)), section.model
+        mass = np.full(n, section.mass_per_length)
+        return np.tile(bending, (n + 1, 1)), np.tile(stretching, (n, 1)), mass, section.model
     if callable(section):
         s = np.concatenate([[0.0], np.cumsum(h)])
-        on_edges = [section(x) for x in (s[1:] + s[:-1]) / 2]
-        bending = np.array([section(x).bending for x in s])
+        on_edges = [_checked(section(x)) for x in (s[1:] + s[:-1]) / 2]
+        bending = np.array([_checked(section(x)).bending for x in s])
     else:
-        on_edges = list(section)
+        on_edges = [_checked(one) for one in section]
         if len(on_edges) != len(h):
             raise ValueError(f"section: expected {len(h)}, one per edge, got {len(on_edges)}")
         bending = _jumping(np.array([c.bending for c in on_edges]), h)
     found = {c.model for c in on_edges}
     richest = next(m for m in get_args(Model) if m in found)
-    return bending, np.array([c.stretching for c in on_edges]), richest
+    mass = np.array([c.mass_per_length for c in on_edges])
+    return bending, np.array([c.stretching for c in on_edges]), mass, richest
+
+
+def _checked(section: Section) -> Section:
+    if not isinstance(section, Section):
+        raise TypeError(f"section: expected a Section, got a {type(section).__name__}")
+    return section
 
 
 def _jumping(per_edge: Array, h: Array) -> Array:

@@ -9,12 +9,16 @@ from numpy.typing import ArrayLike
 
 from pyrod._immutable import Array
 
+MOST_EDGES = 10**8  # their unknowns are counted in 32 bits
+
 
 def edge_lengths(length: float | ArrayLike, edges: int | None) -> Array:
     if edges is None:
         return np.atleast_1d(np.asarray(length, dtype=np.float64))
-    if edges != int(edges) or edges < 1:
-        raise ValueError(f"edges: must be a whole number, at least 1, got {edges}")
+    if not (np.isfinite(edges) and edges == int(edges) and 1 <= edges <= MOST_EDGES):
+        raise ValueError(
+            f"edges: must be a whole number, at least 1 and at most {MOST_EDGES:g}, got {edges}"
+        )
     if np.ndim(length) != 0:
         raise ValueError("edges: give None together with the lengths of the edges")
     if not (np.isfinite(length) and length > 0):  # type: ignore[operator]

@@ -1,64 +1,134 @@
-"""Solving a scene, and what there is to know of the equilibrium found."""
+"""What there is to know of an equilibrium."""
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._core import Options
-from pyrod._immutable import Array, Immutable, sealed
-from pyrod.errors import NotConverged, StrainWarning, UnstableWarning
-from pyrod.rotation import as_frames
+from pyrod._immutable import Array, Immutable
+from pyrod.rotation import exp, multiply, rotate
 from pyrod.scene import Scene
+from pyrod.supports import Support
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Trace = Callable[[float, float, float, float, float], Any]
+    from pyrod.rod import Rod
+
+
+class Reaction(NamedTuple):
+    """What a support exerts on the rods, in space."""
+
+    force: Array  #: (3,) [N]
+    moment: Array  #: (3,) [N m], about the point that is held
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Equilibrium(Immutable):
-    """Equilibrium of a scene with n edges; arrays have a row per vertex (n + 1) or per edge (n).
+class RodEquilibrium(Immutable):
+    """One rod of n edges in equilibrium; arrays have a row per vertex (n + 1) or per edge (n).
 
     Positions, forces and moments are spatial; strains and whatever is called material have the
     components of the frames. Section forces and moments act from the part behind on the part
     before.
     """
 
-    scene: Scene
+    rod: Rod
     positions: Array  #: (n + 1, 3) r_j [m]
-    frames: Array  #: (n, 4) of the edges; signs are continued from the clamp
+    frames: Array  #: (n, 4) of the edges; signs are continued along the rod
     vertex_frames: Array  #: (n + 1, 4) between the edges' frames; at the ends, of the ends
-    K: Array  #: (n + 1, 3) material curvature, Linn (48) [1/m]
+    K: Array  #: (n + 1, 3) material curvature, Linn (48) [1/m]; where the rod is held, a mean
     Gamma: Array  #: (n, 3) shear and stretch, Linn (50)
     force: Array  #: (n, 3) section force of the edges, in exact balance with the loads [N]
     material_force: Array  #: (n, 3) the same in the components of the frames
-    moment: Array  #: (n + 1, 3) section moment, in balance with the loads [N m]
+    moment: Array  #: (n + 1, 3) section moment, in balance with the loads [N m]; where the rod is
+    #: held, just behind
     material_moment: Array  #: (n + 1, 3) C_bt (K - K0)
+    load: Array  #: (n + 1, 3) what acts on the vertices [N]
+    load_moment: Array  #: (3,) sum of the moments that act on the rod [N m]
     bend_twist_energy: float  #: Linn (49) [J]
     stretch_shear_energy: float  #: Linn (51) [J]
-    status: str  #: "converged", or why not
-    advice: str  #: the status in a sentence, with what to try
-    index: (
-        int  #: stability index: directions in which the energy falls; -1 if there is no potential
-    )
-    residual: float  #: largest unbalanced moment on an edge [N m]
-    load_steps: int  #: 0: all loads at once; else steps in which the forces were brought on
-    record: dict[str, Array]  #: one entry per iteration: step [rad], residual, energy, shift, ...
-    time: float = field(compare=False)  #: of the solve [s]
+    _shares: tuple[Array, Array] = field(repr=False)
 
     @property
     def s(self) -> Array:
         """(n + 1,) arc length at rest of the vertices [m]."""
-        return self.scene.rod.arc_lengths
+        return self.rod.arc_lengths
+
+    @property
+    def energy(self) -> float:
+        """Elastic energy [J]."""
+        return self.bend_twist_energy + self.stretch_shear_energy
+
+    @property
+    def tip(self) -> Array:
+        """(3,) position of the end."""
+        return self.positions[-1]
+
+    @property
+    def tip_frame(self) -> Array:
+        """(4,) frame of the end."""
+        return self.vertex_frames[-1]
+
+    @property
+    def vertex_force(self) -> Array:
+        """(n + 1, 3) section force at the vertices, inside the rod at its ends [N].
+
+        Where a point force acts on a vertex, a value between those on its two sides.
+        """
+        h, n = self.rod.edge_lengths[:, None], self.force
+        inner = (h[1:] * n[:-1] + h[:-1] * n[1:]) / (h[1:] + h[:-1])
+        return np.vstack([n[:1] + self._shares[0], inner, n[-1:] - self._shares[1]])
+
+    def __repr__(self) -> str:
+        tip = ", ".join(f"{x:.6g}" for x in self.tip)
+        return f"RodEquilibrium({self.rod!r}, energy={self.energy:.6g}, tip=({tip}))"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Equilibrium(Immutable):
+    """Equilibrium of a scene: its `rods`, and how it was found.
+
+    Of a scene with one rod, all that `RodEquilibrium` knows is to be had directly: ``positions``,
+    ``frames``, ``K``, ``force``, ``moment``, ``tip`` and so on.
+    """
+
+    scene: Scene
+    rods: tuple[RodEquilibrium, ...]
+    reactions: tuple[Reaction, ...]  #: of the scene's supports, in their order
+    status: str  #: "converged", or why not
+    advice: str  #: the status in a sentence, with what to try
+    index: int
+    """Stability index: directions in which the energy falls; -1 if there is no potential."""
+    residual: float  #: largest unbalanced moment on an edge, or its like [N m]
+    load_steps: int  #: 0: all loads at once; else steps in which they were brought on
+    record: dict[str, Array]  #: one entry per iteration: step [rad], residual, energy, shift, ...
+    time: float = field(compare=False)  #: of the solve [s]
+    descents: int = 0  #: saddles that the search has left along their unstable modes
+    unknowns: int = 0  #: of the last linear system, with the multipliers
+    multipliers: int = 0  #: components of section forces among them
+    fill: float = 1.0  #: entries of the factor over those of the matrix
+    lowest_eigenvalue: float | None = None
+    """Of the second variation on the constraints, for modes with int |phi|^2 ds/L = 1 [N m]."""
+    neutral: bool = False
+    """It can move along ``mode`` without a change of energy: a mechanism, or one of a family."""
+    mode: Array | None = None
+    """(edges of all rods, 3) turns of the edges in their frames [rad] in the lowest mode.
+
+    The largest component is 1. Known if it was asked for, or if the equilibrium is neutral.
+    """
+    _nodes: tuple[Array, Array] | None = field(default=None, repr=False)
+
+    def __getattr__(self, name: str) -> Any:
+        """What is known of the only rod."""
+        if name.startswith("_") or (not hasattr(RodEquilibrium, name) and name not in _ROD_FIELDS):
+            raise AttributeError(f"Equilibrium has no {name!r}")
+        rods = self.__dict__["rods"]
+        if len(rods) != 1:
+            raise AttributeError(f"{name}: the scene has {len(rods)} rods; see rods[i].{name}")
+        return getattr(rods[0], name)
 
     @property
     def converged(self) -> bool:
@@ -75,40 +145,87 @@ class Equilibrium(Immutable):
 
     @property
     def iterations(self) -> int:
-        """Linear systems solved."""
+        """Linear systems solved, on all grids."""
         return len(self.record["step"])
 
     @property
+    def bend_twist_energy(self) -> float:
+        """Bending and twisting energy of all rods, Linn (49) [J]."""
+        return sum(rod.bend_twist_energy for rod in self.rods)
+
+    @property
+    def stretch_shear_energy(self) -> float:
+        """Stretching and shearing energy of all rods, Linn (51) [J]."""
+        return sum(rod.stretch_shear_energy for rod in self.rods)
+
+    @property
     def energy(self) -> float:
-        """Elastic energy [J]."""
+        """Elastic energy of all rods [J]."""
         return self.bend_twist_energy + self.stretch_shear_energy
 
     @property
-    def tip(self) -> Array:
-        """(3,) position of the free end."""
-        return self.positions[-1]
+    def reaction(self) -> Reaction:
+        """What the only support exerts."""
+        if len(self.reactions) != 1:
+            raise ValueError(
+                f"reaction: the scene has {len(self.reactions)} supports, see reactions"
+            )
+        return self.reactions[0]
 
-    @property
-    def tip_frame(self) -> Array:
-        """(4,) frame of the free end."""
-        return self.vertex_frames[-1]
+    def along_mode(self, amplitude: float) -> Array:
+        """(edges of all rods, 4) frames displaced along the mode: a start for other equilibria.
 
-    @property
-    def vertex_force(self) -> Array:
-        """(n + 1, 3) section force at the vertices, inside the rod at its ends [N].
-
-        Where a point force acts on a vertex, a value between those on its two sides.
+        ``amplitude`` [rad] is the largest turn, of either sign. Needs a solve with
+        ``eigenvalue=True``.
         """
-        return self.scene._loads.vertex_forces
+        if self.mode is None:
+            raise ValueError("along_mode: there is no mode; solve with eigenvalue=True")
+        frames = np.vstack([rod.frames for rod in self.rods])
+        return multiply(frames, exp(amplitude * self.mode))
 
     @property
-    def reaction(self) -> tuple[Array, Array]:
-        """Force (3,) [N] and moment (3,) [N m] that the clamp exerts on the rod."""
-        loads = self.scene._loads
-        return -loads.force.sum(axis=0), -self.moment[0] - loads.start_moment
+    def free_motion(self) -> str | None:
+        """The motion that costs no energy, in words; None if there is none."""
+        if not self.neutral or self.mode is None:
+            return None
+        frames = np.vstack([rod.frames for rod in self.rods])
+        turns = rotate(frames, self.mode)
+        if np.abs(turns - turns.mean(axis=0)).max() < 1e-3:
+            return f"everything turns about the direction {_direction(turns.mean(axis=0))}"
+        if np.abs(self.mode[:, :2]).max() < 1e-3:
+            return "rods turn about their own axes"
+        return "the shape goes over into others of the same energy"
+
+    @cached_property
+    def balance(self) -> tuple[float, float]:
+        """What is missing to the balance of all forces and of all moments, relative to their sizes
+        and to the section forces and moments.
+
+        Computed from positions, loads and reactions alone, by no formula of the solver: in an
+        equilibrium both are rounding.
+        """
+        forces, moments = [], []
+        for rod in self.rods:
+            forces += list(rod.load)
+            moments += [*np.cross(rod.positions, rod.load), rod.load_moment]
+        for support, reaction in zip(self.scene.supports, self.reactions, strict=True):
+            forces.append(reaction.force)
+            at = self._support_position(support)
+            moments += [np.cross(at, reaction.force), reaction.moment]
+        force = _size(forces) + max(_largest(rod.force) for rod in self.rods)
+        moment = _size(moments) + max(_largest(rod.moment) for rod in self.rods)
+        length = max(rod.rod.length for rod in self.rods)
+        return (
+            _size([np.sum(forces, axis=0)]) / (force or 1.0),
+            _size([np.sum(moments, axis=0)]) / (moment + length * force or 1.0),
+        )
+
+    def _support_position(self, support: Support) -> Array:
+        rod, vertex = self.scene._network._vertex(support.at)
+        return self.rods[rod].positions[vertex]
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the centreline and the directors a1 with matplotlib; see `pyrod.plot.draw`."""
+        """Draws the centrelines and the directors a1 with matplotlib; see `pyrod.plot.draw`."""
         from pyrod.plot import draw
 
         return draw(self, ax, **style)
@@ -116,101 +233,27 @@ class Equilibrium(Immutable):
     def __repr__(self) -> str:
         how = "" if self.converged else f", {self.status}"
         stable = {None: "no potential", True: "stable", False: f"index {self.index}"}[self.stable]
+        stable += ", neutral" if self.neutral else ""
+        what = f"{self.scene.rods[0]!r}" if len(self.rods) == 1 else f"{len(self.rods)} rods"
+        tip = ""
+        if len(self.rods) == 1:
+            tip = f"tip=({', '.join(f'{x:.6g}' for x in self.rods[0].tip)}), "
         return (
-            f"Equilibrium({self.scene.rod!r}, {self.iterations} iterations{how}, {stable}, "
-            f"energy={self.energy:.6g}, tip=({', '.join(f'{x:.6g}' for x in self.tip)}), "
-            f"{1e3 * self.time:.2g} ms)"
+            f"Equilibrium({what}, {self.iterations} iterations{how}, {stable}, "
+            f"energy={self.energy:.6g}, {tip}{1e3 * self.time:.2g} ms)"
         )
 
 
-def solve(
-    scene: Scene,
-    options: Options | None = None,
-    *,
-    start: Equilibrium | ArrayLike | None = None,
-    strict: bool = True,
-    verbose: bool = False,
-) -> Equilibrium:
-    """Static equilibrium of a scene.
-
-    Parameters
-    ----------
-    scene : the rod, its clamp and its loads.
-    options : tolerances and limits; see `Options`.
-    start : an equilibrium of a similar scene with as many edges, or frames (n, 4) or (n, 3, 3), to
-        start from; default: the shape at rest. A start is trusted to be near.
-    strict : raise `NotConverged` if no equilibrium is found; otherwise look at ``status``.
-    verbose : print a line per iteration.
-
-    Raises
-    ------
-    NotConverged : with the last iterate in ``.result``.
-    KeyboardInterrupt : Ctrl-C is looked for once per iteration.
-
-    Warns
-    -----
-    UnstableWarning : the equilibrium found is a saddle of the energy.
-    StrainWarning : an edge is turned inside out, or neighbours turn by more than pi.
-    """
-    rod = scene.rod
-    began = perf_counter()
-    out = _core.solve(
-        rod._rod,
-        _core.Dimension.__members__[scene.space],
-        _core.Model.__members__[rod.model],
-        scene.clamp_position,
-        scene.clamp_frame,
-        scene._loads,
-        _start_frames(start, scene),
-        options or Options(),
-        _print_iteration if verbose else None,
-    )
-    time = perf_counter() - began
-    result = Equilibrium(scene=scene, time=time, **sealed(out))
-    if strict and not result.converged:
-        raise NotConverged(result)
-    for category, message in _doubts(result):
-        warnings.warn(message, category, stacklevel=2)
-    return result
+_ROD_FIELDS = frozenset(RodEquilibrium.__dataclass_fields__)
 
 
-def _doubts(result: Equilibrium) -> Iterator[tuple[type[Warning], str]]:
-    """What a user should know before trusting an equilibrium."""
-    if result.index > 0:
-        message = (
-            f"the equilibrium is unstable (index {result.index}): a disturbed rod leaves it; "
-            "start from a shape on the side that it would fall to"
-        )
-        yield UnstableWarning, message
-    stretch = result.Gamma[:, 2]
-    if stretch.min() <= 0:
-        message = (
-            f"edge {int(stretch.argmin())} is compressed to {stretch.min():.3g} of its length, "
-            "turned inside out: the loads exceed what EA allows"
-        )
-        yield StrainWarning, message
-    turns = result.scene.rod.cell_lengths * np.linalg.norm(result.K, axis=1)
-    if turns.max() > np.pi:
-        message = (
-            f"the rod turns by {turns.max():.3g} rad at vertex {int(turns.argmax())}: more edges "
-            "are needed for the shape to mean anything"
-        )
-        yield StrainWarning, message
+def _direction(vector: Array) -> str:
+    return "({:.3g}, {:.3g}, {:.3g})".format(*vector / np.linalg.norm(vector))
 
 
-def _start_frames(start: Equilibrium | ArrayLike | None, scene: Scene) -> Array | None:
-    if start is None:
-        return None
-    if isinstance(start, Equilibrium):
-        return start.frames
-    from pyrod.rotation import continued
-
-    frames = as_frames(start, "start")
-    return continued(np.vstack([scene.clamp_frame, frames]))[1:]
+def _largest(vectors: Array) -> float:
+    return float(np.linalg.norm(vectors, axis=1).max())
 
 
-def _print_iteration(
-    energy: float, residual: float, step: float, part: float, shift: float
-) -> None:
-    notes = (f"  part {part:.2g}" if part < 1 else "") + (f"  shift {shift:.2e}" if shift else "")
-    print(f"energy {energy:+.9e}  residual {residual:.2e}  step {step:.2e} rad{notes}", flush=True)
+def _size(vectors: list[Array]) -> float:
+    return float(np.linalg.norm(vectors, axis=1).sum())

@@ -11,13 +11,13 @@ from pyrod.rotation import rotate
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from pyrod.equilibrium import Equilibrium
+    from pyrod.equilibrium import Equilibrium, RodEquilibrium
 
 
 def draw(
     result: Equilibrium, ax: Axes | None = None, *, directors: bool = True, **style: Any
 ) -> Axes:
-    """Draws the centreline, with a fringe along director a1 that shows how the rod is twisted.
+    """Draws the centrelines, with a fringe along director a1 that shows how the rod is twisted.
 
     Parameters
     ----------
@@ -36,34 +36,32 @@ def draw(
     if planar:
         _draw_planar(result, ax, style)
     else:
-        _draw_spatial(result, ax, directors, style)
+        for rod in result.rods:
+            _draw_spatial(rod, ax, directors, style)
+        _equal_scales(ax, np.vstack([rod.positions for rod in result.rods]))
     return ax
 
 
 def _draw_planar(result: Equilibrium, ax: Axes, style: dict[str, Any]) -> None:
-    """In the plane of the clamp: a3 to the right, a1 upwards."""
-    local = _in_clamp(result)
-    ax.plot(local[:, 2], local[:, 0], **style)
+    """In the plane of the scene: a3 of its first clamp to the right, a1 upwards."""
+    origin, frame = result.scene.plane
+    for rod in result.rods:
+        local = rotate(frame * np.array([1, -1, -1, -1]), rod.positions - origin)
+        ax.plot(local[:, 2], local[:, 0], **style)
     ax.set_aspect("equal", adjustable="datalim")
     ax.set(xlabel="along the clamp's a3 [m]", ylabel="along the clamp's a1 [m]")
 
 
-def _in_clamp(result: Equilibrium) -> np.ndarray:
-    back = result.scene.clamp_frame * np.array([1, -1, -1, -1])
-    return rotate(back, result.positions - result.positions[0])
-
-
-def _draw_spatial(result: Equilibrium, ax: Any, directors: bool, style: dict[str, Any]) -> None:
-    r = result.positions
+def _draw_spatial(rod: RodEquilibrium, ax: Any, directors: bool, style: dict[str, Any]) -> None:
+    r = rod.positions
     (line,) = ax.plot(*r.T, **{"linewidth": 2, **style})
     if directors:
         from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-        width = 0.03 * result.scene.rod.length
-        edge = r + width * rotate(result.vertex_frames, np.array([1.0, 0.0, 0.0]))
+        width = 0.03 * rod.rod.length
+        edge = r + width * rotate(rod.vertex_frames, np.array([1.0, 0.0, 0.0]))
         faces = np.stack([r[:-1], r[1:], edge[1:], edge[:-1]], axis=1)
         ax.add_collection3d(Poly3DCollection(faces, facecolor=line.get_color(), alpha=0.35))
-    _equal_scales(ax, r)
     ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
 
 

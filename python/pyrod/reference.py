@@ -18,19 +18,12 @@ import numpy as np
 from pyrod._along import Model
 from pyrod._immutable import Array
 from pyrod.equilibrium import Equilibrium
+from pyrod.loads import DistributedForce, DistributedMoment, Force, Load, Moment
 from pyrod.rod import Rod
-from pyrod.rotation import conjugate, multiply
-from pyrod.scene import (
-    Clamp,
-    DistributedForce,
-    DistributedMoment,
-    Force,
-    Load,
-    Moment,
-    Scene,
-    Space,
-)
+from pyrod.rotation import conjugate, exp, log, multiply, rotate
+from pyrod.scene import Scene, Space
 from pyrod.section import Section
+from pyrod.supports import Clamp, Hinge, Pivot, Slider, Support
 
 _MODELS: dict[str, Model] = {
     "cosserat": "cosserat",
@@ -92,21 +85,69 @@ class Case:
 
         Raises `NotPossible` for what this version does not know.
         """
-        start, end = self.data["bc"]["s0"], self.data["bc"]["sL"]
-        if start["type"] != "clamped":
-            raise NotPossible(f"start is {start['type']}, not clamped")
-        if end["type"] != "dead":
-            raise NotPossible(f"end is {end['type']}, not free under dead loads")
+        space = space or self.spaces[0]
         rod = Rod.precurved(
             self.data["L"], edges, self.section(), self.along("K0"), _MODELS[self.data["model"]]
         )
+        start, end = self.data["bc"]["s0"], self.data["bc"]["sL"]
         loads: list[Load] = [
-            Force(end["n"]),
-            Moment(end["m"]),
             DistributedForce(self.along("f")),
             DistributedMoment(self.along("l")),
         ]
-        return Scene(rod, Clamp(start["r"], start["q"]), loads, space or self.spaces[0])
+        if start["type"] == "clamped":
+            supports: list[Support] = [Clamp(start["r"], start["q"])]
+        elif start["type"] == "pinned":
+            supports = [_pinned(space, start["r"], None, "start")]
+        else:
+            raise NotPossible(f"start is {start['type']}")
+        if end["type"] == "clamped":
+            supports.append(Clamp(end["r"], end["q"], at="end", turns=self._turns()))
+        elif end["type"] == "pinned_roller":
+            supports.append(_pinned(space, self.data["r"][-1], (0.0, 0.0, 1.0), "end"))
+            loads.append(Force(np.array([0.0, 0.0, end["n_axial"]])))
+        elif end["type"] in ("dead", "follower"):
+            follows = end["type"] == "follower"
+            names = ("N", "M") if follows else ("n", "m")
+            loads += [
+                Force(end[names[0]], follower=follows),
+                Moment(end[names[1]], follower=follows),
+            ]
+        else:
+            raise NotPossible(f"end is {end['type']}")
+        return Scene(rod, supports, loads, space)
+
+    def _turns(self) -> int:
+        """Full turns about a3 from start to end, besides what the end frames tell."""
+        if np.any(self.data.get("K0", 0.0)):
+            return 0  # as the rest shape has them
+        q = self.sampled("q")
+        turn = log(multiply(conjugate(q[:-1]), q[1:]))
+        told = log(_nearer(multiply(conjugate(q[0]), q[-1])))
+        return round((turn[:, 2].sum() - told[2]) / (2 * np.pi))
+
+    def start(self, edges: int) -> Array:
+        """(edges, 4) frames of the exact solution at the centres of equal edges.
+
+        Between the samples by cubics whose slopes are the curvatures that belong to the moments.
+        """
+        q, h = self.sampled("q"), self.data["L"] / self.intervals
+        x = (np.arange(edges) + 0.5) * self.intervals / edges
+        j = np.minimum(x.astype(int), self.intervals - 1)
+        u = log(multiply(conjugate(q[:-1]), q[1:]))
+        K = self._curvatures()
+        across = np.cross(u, K[1:])
+        first, last = h * K[:-1], h * (K[1:] + across / 2 + np.cross(u, across) / 12)
+        t = (x - j)[:, None]
+        turn = t**2 * (3 - 2 * t) * u[j] + t * (1 - t) * ((1 - t) * first[j] - t * last[j])
+        return multiply(q[j], exp(turn))
+
+    def _curvatures(self) -> Array:
+        """K at the samples, from the moments."""
+        section = self.section()
+        s = np.array(self.data["s"], dtype=float)
+        C = np.array([(section(x) if callable(section) else section).bending for x in s])
+        M = rotate(conjugate(self.sampled("q")), self.sampled("m"))
+        return np.array([self.along("K0")(x) for x in s]) + M / C
 
     def errors(self, result: Equilibrium) -> dict[str, float]:
         """Largest differences to the exact solution at the samples, relative to its size."""
@@ -129,6 +170,19 @@ class Case:
             "moments": relative(result.moment, "m"),
             "energy": abs(result.energy - energy) / (energy or 1.0),
         }
+
+
+def _pinned(
+    space: Space, position: Any, along: tuple[float, float, float] | None, at: Any
+) -> Support:
+    """A pin about e2: in space, what is planar must not turn about its own chord."""
+    if space == "spatial":
+        return Pivot((0.0, 1.0, 0.0), position, at=at, along=along)
+    return Hinge(position, at=at) if along is None else Slider(along, position=position, at=at)
+
+
+def _nearer(q: Array) -> Array:
+    return -q if q[0] < 0 else q
 
 
 def load(path: str | Path) -> list[Case]:

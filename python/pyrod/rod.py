@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike
 
 from pyrod import _core
 from pyrod._along import Curvature, Model, Sections, stiffness
-from pyrod._immutable import Array, Immutable, frozen
+from pyrod._immutable import Array, Immutable, frozen, vector
 from pyrod._rest_shape import rest_curvature, ribbon
 from pyrod._sampling import edge_lengths, sampled
+from pyrod.rotation import exp, frame_along, multiply
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -31,6 +32,7 @@ class Rod(Immutable):
     model : "cosserat" (shears and stretches), "extensible" (Kirchhoff, stretches), "inextensible"
         (Kirchhoff). Strains that a model excludes are zero whatever their stiffness.
     placement : position (3,) and frame (4,) that the start of the rod has at rest.
+    mass_per_length : (n,) of the edges [kg/m], for `Gravity`; default: none.
 
     Raises
     ------
@@ -46,6 +48,7 @@ class Rod(Immutable):
     placement: tuple[Array, Array] = field(
         default=(frozen([0, 0, 0]), frozen([1, 0, 0, 0])), compare=False
     )
+    mass_per_length: Array = field(default_factory=lambda: frozen(0))
     _rod: _core.Rod = field(init=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -56,6 +59,7 @@ class Rod(Immutable):
         for name in ("edge_lengths", "bending", "stretching", "K0"):
             self._set(**{name: frozen(getattr(self, name))})
         self._set(_rod=self._compiled(), placement=tuple(frozen(x) for x in self.placement))
+        self._set(mass_per_length=_masses(self.mass_per_length, self.edges))
 
     def _compiled(self) -> _core.Rod:
         return _core.Rod(self.edge_lengths, self.bending, self.stretching, self.K0)
@@ -102,9 +106,9 @@ class Rod(Immutable):
             (n + 1, 3); or a function of arc length.
         """
         h = edge_lengths(length, edges)
-        bending, stretching, natural = stiffness(section, h)
+        bending, stretching, mass, natural = stiffness(section, h)
         K0 = sampled(curvature, np.concatenate([[0.0], np.cumsum(h)]), "curvature", "vertex")
-        return cls(h, bending, stretching, K0, model or natural)
+        return cls(h, bending, stretching, K0, model or natural, mass_per_length=mass)
 
     @classmethod
     def from_curve(
@@ -129,10 +133,9 @@ class Rod(Immutable):
         shape = ribbon(positions, frames)
         K0, start = rest_curvature(shape)
         h = shape.polyline.edge_lengths
-        bending, stretching, natural = stiffness(section, h)
-        return cls(
-            h, bending, stretching, K0, model or natural, (shape.polyline.positions[0], start)
-        )
+        bending, stretching, mass, natural = stiffness(section, h)
+        placement = (shape.polyline.positions[0], start)
+        return cls(h, bending, stretching, K0, model or natural, placement, mass)
 
     # Views ---------------------------------------------------------------------------------------
 
@@ -155,6 +158,61 @@ class Rod(Immutable):
     def cell_lengths(self) -> Array:
         """(n + 1,) length of the cell of each vertex, half edges at the ends [m]."""
         return np.convolve(self.edge_lengths, [0.5, 0.5])
+
+    def placed(
+        self,
+        position: ArrayLike | None = None,
+        frame: ArrayLike | None = None,
+        *,
+        tangent: ArrayLike | None = None,
+        normal: ArrayLike | None = None,
+    ) -> Rod:
+        """The same rod with its start elsewhere at rest; arguments as for `Clamp`."""
+        if tangent is not None:
+            frame = frame_along(tangent, normal)
+        place = (
+            self.placement[0] if position is None else vector(position, "position"),
+            self.placement[1] if frame is None else frozen(frame),
+        )
+        return replace(self, placement=place)
+
+    def with_vertices(self, at: ArrayLike) -> Rod:
+        """The same rod with vertices at the given arc lengths [m].
+
+        Edges are cut where there is none yet; within 1e-9 of an edge's length of a vertex there is.
+        The cells of the new vertices get the mean compliance and the mean curvature of their
+        neighbours.
+        """
+        rod = self
+        for s in np.unique(np.asarray(at, dtype=np.float64)):
+            j = int(np.clip(np.searchsorted(rod.arc_lengths, s, "right") - 1, 0, rod.edges - 1))
+            h, part = rod.edge_lengths[j], s - rod.arc_lengths[j]
+            if not 1e-9 * h < part < (1 - 1e-9) * h:
+                continue
+            rod = rod._cut(j, float(part))
+        return rod
+
+    def _cut(self, j: int, part: float) -> Rod:
+        C, K0 = self.bending, self.K0
+        twice = lambda values: np.insert(values, j, values[j], axis=0)  # noqa: E731
+        h = twice(self.edge_lengths)
+        h[j], h[j + 1] = part, self.edge_lengths[j] - part
+        return Rod(
+            h,
+            np.insert(C, j + 1, 2 / (1 / C[j] + 1 / C[j + 1]), axis=0),
+            twice(self.stretching),
+            np.insert(K0, j + 1, (K0[j] + K0[j + 1]) / 2, axis=0),
+            self.model,
+            self.placement,
+            twice(self.mass_per_length),
+        )
+
+    def frame_at_rest(self, vertex: int, frames: Array | None = None) -> Array:
+        """(4,) frame of a vertex at rest; ``frames``: those of the edges, if they are at hand."""
+        if vertex == 0:
+            return self.placement[1]
+        q = self.at_rest()[1] if frames is None else frames
+        return multiply(q[vertex - 1], exp(self.edge_lengths[vertex - 1] / 2 * self.K0[vertex]))
 
     def at_rest(
         self, position: ArrayLike | None = None, frame: ArrayLike | None = None
@@ -221,3 +279,15 @@ class Energy(Immutable):
         from scipy.sparse import csc_array
 
         return csc_array(self._hessian, shape=(len(self.gradient),) * 2)
+
+
+def _masses(values: ArrayLike, edges: int) -> Array:
+    """One mass per length for each edge."""
+    mass = frozen(values)
+    if mass.shape not in ((), (edges,)):
+        raise ValueError(
+            f"mass_per_length: expected {edges} numbers, one per edge, got shape {mass.shape}"
+        )
+    if not (np.isfinite(mass) & (mass >= 0)).all():
+        raise ValueError("mass_per_length: expected finite numbers, not negative")
+    return frozen(np.broadcast_to(mass, edges))

@@ -1,200 +1,166 @@
-"""What acts where: supports, loads, and the scene that holds them together."""
+"""Scenes: rods, what holds and joins them, and what acts on them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, Union
-
-import numpy as np
-from numpy.typing import ArrayLike
+from functools import cached_property
+from typing import Any, Literal
 
 from pyrod import _core
-from pyrod._immutable import Array, Immutable, frozen, vector
-from pyrod._sampling import sampled
+from pyrod._immutable import Array, Immutable
+from pyrod._network import Network
+from pyrod._places import on_rod
+from pyrod.joints import Joint
+from pyrod.loads import Load, sampled_load
 from pyrod.rod import Rod
-from pyrod.rotation import as_frames, frame_along
+from pyrod.supports import Clamp, Support
 
-Place = Union[Literal["start", "end"], float]
 Space = Literal["planar", "spatial"]
-
-
-@dataclass(frozen=True, eq=False, init=False)
-class Clamp(Immutable):
-    """Holds the start of the rod in position and frame.
-
-    Parameters
-    ----------
-    position : (3,) [m]; default: where the rod is at rest, the origin unless made from a curve.
-    frame : (4,) unit quaternion or (3, 3) matrix; or, instead,
-    tangent, normal : directions of a3 and, as near as can be, of a1. Default: the frame that the
-        start has at rest; a rod that is not made from a curve starts along z, with a1 along x.
-    """
-
-    position: Array | None
-    frame: Array | None
-
-    def __init__(
-        self,
-        position: ArrayLike | None = None,
-        frame: ArrayLike | None = None,
-        *,
-        tangent: ArrayLike | None = None,
-        normal: ArrayLike | None = None,
-    ) -> None:
-        if frame is not None and (tangent is not None or normal is not None):
-            raise ValueError("frame: give either a frame or a tangent, not both")
-        if normal is not None and tangent is None:
-            raise ValueError("normal: needs a tangent, too")
-        if tangent is not None:
-            frame = frame_along(tangent, normal)
-        elif frame is not None:
-            frame = as_frames(np.asarray(frame, dtype=np.float64)[None], "frame")[0]
-            if not abs(np.linalg.norm(frame) - 1) < 1e-6:
-                raise ValueError(f"frame: expected a unit quaternion (w, x, y, z), got {frame}")
-        self._set(
-            position=None if position is None else vector(position, "position"),
-            frame=None if frame is None else frozen(frame),
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class Force(Immutable):
-    """A dead force (3,) [N], fixed in space, on one point of the rod.
-
-    at : "end" (default), "start", or an arc length [m]. Between two vertices it is shared by them
-        as by a lever.
-    """
-
-    force: Array
-    at: Place = "end"
-
-    def __post_init__(self) -> None:
-        self._set(force=vector(self.force, "force"), at=_checked(self.at))
-
-    def _apply(self, loads: _core.Loads, rod: Rod) -> None:
-        loads.add_force(self.force, _arc_length(self.at, rod))
-
-
-@dataclass(frozen=True, eq=False)
-class Moment(Immutable):
-    """A dead moment (3,) [N m], fixed in space, on one cross-section.
-
-    at : as for `Force`. In space such a moment has no potential.
-    """
-
-    moment: Array
-    at: Place = "end"
-
-    def __post_init__(self) -> None:
-        self._set(moment=vector(self.moment, "moment"), at=_checked(self.at))
-
-    def _apply(self, loads: _core.Loads, rod: Rod) -> None:
-        loads.add_moment(self.moment, _arc_length(self.at, rod))
-
-
-@dataclass(frozen=True, eq=False)
-class DistributedForce(Immutable):
-    """A dead force per length at rest [N/m].
-
-    force_per_length : (3,), (n, 3) one per edge, or a function of arc length, which is taken at the
-        centres of the edges.
-    """
-
-    force_per_length: Array | Callable[[float], ArrayLike]
-
-    def __post_init__(self) -> None:
-        if not callable(self.force_per_length):
-            self._set(force_per_length=frozen(self.force_per_length))
-
-    def _apply(self, loads: _core.Loads, rod: Rod) -> None:
-        loads.add_distributed_force(_on_edges(self.force_per_length, rod, "force_per_length"))
-
-
-@dataclass(frozen=True, eq=False)
-class DistributedMoment(Immutable):
-    """A dead moment per length at rest [N]; values as for `DistributedForce`."""
-
-    moment_per_length: Array | Callable[[float], ArrayLike]
-
-    def __post_init__(self) -> None:
-        if not callable(self.moment_per_length):
-            self._set(moment_per_length=frozen(self.moment_per_length))
-
-    def _apply(self, loads: _core.Loads, rod: Rod) -> None:
-        loads.add_distributed_moment(_on_edges(self.moment_per_length, rod, "moment_per_length"))
-
-
-Load = Union[Force, Moment, DistributedForce, DistributedMoment]
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
 class Scene(Immutable):
-    """A rod, what holds it and what acts on it.
+    """Rods, what holds and joins them, and what acts on them.
 
     Parameters
     ----------
-    rod : the `Rod`.
-    supports : one `Clamp`; the other end is free.
-    loads : `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, any number.
-    space : "spatial" (default), or "planar": the rod stays in the plane of the clamp's directors a1
-        and a3, which takes a third of the unknowns. Loads and rest curvature that leave the plane
-        are refused.
+    rods : a `Rod`, or several. Supports and joints between two vertices get a vertex of their own,
+        so the scene's rods may have more edges than those given.
+    supports : `Clamp`, `Hinge`, `Slider`, `Sleeve`, `Pivot`, `Spring`; any number. Ends without one
+        are free.
+    loads : `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`; any number.
+    space : "spatial" (default), or "planar": the rods stay in the plane of the directors a1 and a3
+        of the first clamp (else of the first rod at rest), which takes a third of the unknowns.
+        What leaves the plane is refused.
+    joints : `Joint`, any number.
+
+    Raises
+    ------
+    ValueError : places that are not on a rod, points that are held or joined twice, loads that
+        nothing holds against.
     """
 
-    rod: Rod
-    supports: tuple[Clamp, ...]
+    rods: tuple[Rod, ...]
+    supports: tuple[Support, ...]
     loads: tuple[Load, ...]
     space: Space
-    _loads: _core.Loads = field(init=False, compare=False)
+    joints: tuple[Joint, ...]
+    _loads: tuple[_core.Loads, ...] = field(init=False, compare=False)
 
     def __init__(
         self,
-        rod: Rod,
-        supports: Clamp | Iterable[Clamp],
+        rods: Rod | Sequence[Rod],
+        supports: Support | Iterable[Support] = (),
         loads: Load | Iterable[Load] = (),
         space: Space = "spatial",
+        joints: Joint | Iterable[Joint] = (),
     ) -> None:
-        supports = _tuple(supports, Clamp, "supports")
+        rods = _tuple(rods, Rod, "rods")
+        supports = _tuple(supports, Support, "supports")
         loads = _tuple(loads, Load.__args__, "loads")  # type: ignore[attr-defined]
-        if not isinstance(rod, Rod):
-            raise TypeError(f"rod: expected a Rod, got {type(rod).__name__}")
-        if len(supports) != 1:
-            raise ValueError(
-                f"supports: expected one Clamp, got {len(supports)}; a rod that nothing holds has "
-                "no equilibrium, and this version holds rods at their start only"
-            )
+        joints = _tuple(joints, Joint, "joints")
+        if not rods:
+            raise ValueError("rods: expected at least one")
         if space not in _core.Dimension.__members__:
             raise ValueError(f"space: expected 'planar' or 'spatial', got {space!r}")
-        compiled = _core.Loads(rod._rod)
+        if not supports and not joints:
+            raise ValueError(
+                "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or "
+                "another support"
+            )
+        places = [s.at for s in supports] + [p for joint in joints for p in joint.points]
+        cut = _with_vertices(rods, places)
+        compiled = tuple(_core.Loads(rod._rod) for rod in cut)
         for load in loads:
-            load._apply(compiled, rod)
-        self._set(rod=rod, supports=supports, loads=loads, space=space, _loads=compiled)
+            load._apply(compiled, cut)
+        self._set(
+            rods=cut, supports=supports, loads=loads, space=space, joints=joints, _loads=compiled
+        )
+        if not self.is_cantilever:
+            self._network  # noqa: B018  refuses what cannot be joined or held
+
+    @cached_property
+    def _network(self) -> Network:
+        return Network(self)
 
     def __getstate__(self) -> dict[str, Any]:
         """Functions of arc length are pickled as the values they had on the edges."""
         state = super().__getstate__()
-        state["loads"] = tuple(_sampled_load(load, self.rod) for load in self.loads)
+        state["loads"] = tuple(sampled_load(load, self.rods) for load in self.loads)
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__init__(**state)  # type: ignore[misc]
 
     @property
+    def rod(self) -> Rod:
+        """The rod of a scene that has one."""
+        if len(self.rods) != 1:
+            raise ValueError(f"rod: the scene has {len(self.rods)}, see its rods")
+        return self.rods[0]
+
+    @property
+    def is_cantilever(self) -> bool:
+        """One rod, clamped at its start, free at its end, under loads that do not follow it."""
+        return (
+            len(self.rods) == 1
+            and not self.joints
+            and len(self.supports) == 1
+            and isinstance(self.supports[0], Clamp)
+            and self.supports[0].turns == 0
+            and on_rod(self.supports[0].at, self.rods) == (0, 0.0)
+            and not any(load.follower for load in self.loads)
+        )
+
+    @property
     def clamp_position(self) -> Array:
-        """(3,) where the start of the rod is held."""
-        position = self.supports[0].position
-        return self.rod.placement[0] if position is None else position
+        """(3,) where the first support holds its point."""
+        return self._held(0)[0]
 
     @property
     def clamp_frame(self) -> Array:
-        """(4,) frame in which the start of the rod is held."""
-        frame = self.supports[0].frame
-        return self.rod.placement[1] if frame is None else frame
+        """(4,) frame in which the first support holds its cross-section."""
+        return self._held(0)[1]
+
+    @property
+    def plane(self) -> tuple[Array, Array]:
+        """Origin and frame of the plane of a planar scene, spanned by the frame's a1 and a3."""
+        if self.supports and isinstance(self.supports[0], Clamp):
+            return self._held(0)
+        return self.rods[0].placement
+
+    def _held(self, number: int) -> tuple[Array, Array]:
+        support = self.supports[number]
+        i, s = on_rod(support.at, self.rods)
+        rod = self.rods[i]
+        position, frame = support.position, support.frame
+        if position is not None and frame is not None:
+            return position, frame
+        if s == 0.0:
+            rest = rod.placement
+        else:
+            positions, frames = rod.at_rest()
+            vertex = int(abs(rod.arc_lengths - s).argmin())
+            rest = (positions[vertex], rod.frame_at_rest(vertex, frames))
+        return (rest[0] if position is None else position, rest[1] if frame is None else frame)
 
     def __repr__(self) -> str:
+        rods = repr(self.rods[0]) if len(self.rods) == 1 else f"{len(self.rods)} rods"
+        if self.is_cantilever:
+            held = "clamped at its start"
+        else:
+            names = [type(x).__name__ for x in (*self.supports, *self.joints)]
+            held = _counted(names)
         loads = ", ".join(type(load).__name__ for load in self.loads) or "no loads"
-        return f"Scene({self.rod!r}, clamped at its start, {loads}, {self.space})"
+        return f"Scene({rods}, {held}, {loads}, {self.space})"
+
+
+def _counted(names: list[str]) -> str:
+    return ", ".join(
+        name if names.count(name) == 1 else f"{names.count(name)} {name}s"
+        for name in dict.fromkeys(names)
+    )
 
 
 def _tuple(items: Any, kinds: Any, name: str) -> tuple[Any, ...]:
@@ -205,32 +171,9 @@ def _tuple(items: Any, kinds: Any, name: str) -> tuple[Any, ...]:
     return items
 
 
-def _checked(at: Place) -> Place:
-    if at in ("start", "end"):
-        return at
-    if isinstance(at, str) or not np.isfinite(at):
-        raise ValueError(f"at: expected 'start', 'end' or an arc length, got {at!r}")
-    return float(at)
-
-
-def _arc_length(at: Place, rod: Rod) -> float:
-    if isinstance(at, str):
-        return 0.0 if at == "start" else rod.length
-    return at
-
-
-def _centres(rod: Rod) -> Array:
-    s = rod.arc_lengths
-    return (s[1:] + s[:-1]) / 2
-
-
-def _on_edges(values: Any, rod: Rod, name: str) -> Array:
-    return sampled(values, _centres(rod), name, "edge")
-
-
-def _sampled_load(load: Load, rod: Rod) -> Load:
-    if isinstance(load, DistributedForce) and callable(load.force_per_length):
-        return DistributedForce(_on_edges(load.force_per_length, rod, "force_per_length"))
-    if isinstance(load, DistributedMoment) and callable(load.moment_per_length):
-        return DistributedMoment(_on_edges(load.moment_per_length, rod, "moment_per_length"))
-    return load
+def _with_vertices(rods: tuple[Rod, ...], places: list[Any]) -> tuple[Rod, ...]:
+    wanted: list[list[float]] = [[] for _ in rods]
+    for place in places:
+        number, s = on_rod(place, rods)
+        wanted[number].append(s)
+    return tuple(rod.with_vertices(at) for rod, at in zip(rods, wanted, strict=True))

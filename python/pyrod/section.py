@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, isinf
+from math import inf, isfinite, isinf, pi
 from typing import Literal
 
 import numpy as np
@@ -22,13 +22,16 @@ class Material:
     ----------
     E : Young's modulus [Pa], positive.
     nu : Poisson's ratio, in (-1, 0.5]; default 0.3.
+    density : [kg/m^3], for `Gravity`; default 0.
     """
 
     E: float
     nu: float = 0.3
+    density: float = 0.0
 
     def __post_init__(self) -> None:
         _core.section.check_material(self.E, self.nu)
+        _not_negative(self.density, "density")
 
     @property
     def G(self) -> float:
@@ -46,6 +49,7 @@ class Section:
     GJ : torsional stiffness [N m^2].
     GA1, GA2 : shear stiffness along a1, a2 [N]; default infinite, the rod does not shear.
     EA : axial stiffness [N]; default infinite, the rod keeps its length.
+    mass_per_length : [kg/m], for `Gravity`; default 0.
     """
 
     EI1: float
@@ -54,19 +58,24 @@ class Section:
     GA1: float = inf
     GA2: float = inf
     EA: float = inf
+    mass_per_length: float = 0.0
 
     def __post_init__(self) -> None:
         _core.section.check(self.EI1, self.EI2, self.GJ, self.GA1, self.GA2, self.EA)
+        _not_negative(self.mass_per_length, "mass_per_length")
 
     @staticmethod
     def circle(radius: float, material: Material) -> Section:
         """Solid circle of the given radius [m]. Shear after Cowper (1966)."""
-        return Section(*_core.section.circle(radius, material.E, material.nu))
+        stiffnesses = _core.section.circle(radius, material.E, material.nu)
+        return Section(*stiffnesses, pi * radius**2 * material.density)
 
     @staticmethod
     def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
         """Ring between two radii [m]. Shear after Cowper (1966)."""
-        return Section(*_core.section.tube(outer_radius, inner_radius, material.E, material.nu))
+        stiffnesses = _core.section.tube(outer_radius, inner_radius, material.E, material.nu)
+        area = pi * (outer_radius**2 - inner_radius**2)
+        return Section(*stiffnesses, area * material.density)
 
     @staticmethod
     def rectangle(width: float, height: float, material: Material) -> Section:
@@ -74,7 +83,8 @@ class Section:
 
         Torsion after Saint-Venant, shear after Cowper (1966).
         """
-        return Section(*_core.section.rectangle(width, height, material.E, material.nu))
+        stiffnesses = _core.section.rectangle(width, height, material.E, material.nu)
+        return Section(*stiffnesses, width * height * material.density)
 
     @property
     def bending(self) -> Array:
@@ -92,3 +102,8 @@ class Section:
         if isinf(self.EA):
             return "inextensible"
         return "extensible" if isinf(self.GA1) else "cosserat"
+
+
+def _not_negative(value: float, name: str) -> None:
+    if not (isfinite(value) and value >= 0):
+        raise ValueError(f"{name}: must be finite and not negative, got {value}")

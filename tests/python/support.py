@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from math import factorial
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,9 @@ ROUND = pyrod.Section(EI1=1.0, EI2=1.0, GJ=0.7)
 """An isotropic section, neither shearable nor extensible."""
 REFERENCE = Path(__file__).parents[1] / "reference"
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
+X, Y, Z = np.eye(3)
+FLAT = pyrod.Section(EI1=4.0, EI2=1.0, GJ=2.0)
+"""Softest in the plane of a1 and a3, where its bending stiffness is 1; else rigid."""
 
 
 def unit(vector: Any) -> Array:
@@ -69,6 +73,29 @@ def orders(errors: Any, ratio: float = 2.0) -> Array:
     """Observed orders of convergence between neighbouring levels."""
     errors = np.asarray(errors, dtype=float)
     return np.log(errors[:-1] / errors[1:]) / np.log(ratio)
+
+
+def extrapolated(values: Any, powers: tuple[int, ...] = (2, 3, 4, 5)) -> Any:
+    """The limit of values on n, 2n, 4n, ... edges whose errors are sums of these powers of 1/n."""
+    values = [np.asarray(v, dtype=float) for v in values]
+    for p in powers[: len(values) - 1]:
+        values = [(2**p * b - a) / (2**p - 1) for a, b in pairwise(values)]
+    return values[0]
+
+
+def table(name: str) -> dict[str, Any]:
+    """A table of the reference data."""
+    return json.loads((REFERENCE / f"{name}.json").read_text())
+
+
+def about_y(angle: float) -> Array:
+    """The frame that is turned by an angle [rad] about y: in the plane x, z."""
+    return rotation.exp(angle * Y)
+
+
+def pin(at: Any, along: Any = None) -> pyrod.Pivot:
+    """Held in place, free to turn in the plane x, z: a hinge that keeps the rod from spinning."""
+    return pyrod.Pivot(Y, at=at, along=along)
 
 
 def differences(a: Any, b: Any) -> float:

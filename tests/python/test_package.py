@@ -197,9 +197,19 @@ CLASSES = [
     pyrod.Rod,
     pyrod.Scene,
     pyrod.Clamp,
+    pyrod.Hinge,
+    pyrod.Slider,
+    pyrod.Sleeve,
+    pyrod.Pivot,
+    pyrod.Spring,
+    pyrod.Joint,
     pyrod.Material,
     pyrod.Section,
+    pyrod.Force,
+    pyrod.Moment,
     pyrod.DistributedForce,
+    pyrod.DistributedMoment,
+    pyrod.Gravity,
     pyrod.curve.Polyline,
     pyrod.curve.FramedCurve,
 ]
@@ -210,6 +220,18 @@ def test_fields_are_described(made: type) -> None:
     doc = inspect.getdoc(made)
     for parameter in inspect.signature(made).parameters:
         assert re.search(rf"\b{parameter}\b", doc), parameter
+
+
+@pytest.mark.parametrize(
+    "made", [pyrod.Equilibrium, pyrod.RodEquilibrium], ids=lambda c: c.__name__
+)
+def test_results_explain_their_fields(made: type) -> None:
+    """Beside the field or above it, in the source: they are read from there by editors."""
+    source = inspect.getsource(made)
+    plain = {"scene", "rod", "rods"}  # these explain themselves
+    for name in inspect.signature(made).parameters:
+        line = re.search(rf"^    {name}: .*\n(    \"\"\")?", source, re.MULTILINE)
+        assert name in plain or name[0] == "_" or (line and ("#:" in line[0] or line[1])), name
 
 
 def test_modules_are_documented() -> None:

@@ -52,7 +52,7 @@ def test_circle_by_formula(nu: float) -> None:
     cowper = 6 * (1 + nu) / (7 + 6 * nu)
     E, G = material.E, material.G
     expected = (E * inertia, E * inertia, G * 2 * inertia, *2 * (cowper * G * A,), E * A)
-    np.testing.assert_allclose(astuple(Section.circle(R, material)), expected, rtol=1e-15)
+    np.testing.assert_allclose(astuple(Section.circle(R, material))[:6], expected, rtol=1e-15)
 
 
 @pytest.mark.parametrize("inner", [0.1, 0.5, 0.9])
@@ -63,7 +63,7 @@ def test_tube_by_formula(inner: float) -> None:
     cowper = 6 * (1 + nu) * s / ((7 + 6 * nu) * s + (20 + 12 * nu) * m**2)
     E, G = STEEL.E, STEEL.G
     expected = (E * inertia, E * inertia, G * 2 * inertia, *2 * (cowper * G * A,), E * A)
-    np.testing.assert_allclose(astuple(Section.tube(R, inner * R, STEEL)), expected, rtol=1e-14)
+    np.testing.assert_allclose(astuple(Section.tube(R, inner * R, STEEL))[:6], expected, rtol=1e-14)
 
 
 def test_tube_without_a_bore_is_the_circle() -> None:
@@ -73,7 +73,8 @@ def test_tube_without_a_bore_is_the_circle() -> None:
 @pytest.mark.parametrize("inner", [1e-3, 1e-5])
 def test_tube_tends_to_the_circle_with_the_square_of_the_bore(inner: float) -> None:
     tube, circle = (
-        np.array(astuple(s)) for s in (Section.tube(1.0, inner, STEEL), Section.circle(1.0, STEEL))
+        np.array(astuple(s)[:6])
+        for s in (Section.tube(1.0, inner, STEEL), Section.circle(1.0, STEEL))
     )
     relative = np.abs(tube / circle - 1)
     assert relative.max() < 10 * inner**2
