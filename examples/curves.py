@@ -6,13 +6,10 @@ Usage: curves.py [FOLDER [NAME ...]]: writes a picture for each idea, or those t
 from __future__ import annotations
 
 import sys
-from io import BytesIO
 from pathlib import Path
 
 from gallery import frenet, knots, orders
-from gallery.style import plt
-from matplotlib.figure import Figure
-from PIL import Image  # which matplotlib brings with it
+from gallery.style import save
 
 PICTURES = {
     "holonomy": knots.holonomy,
@@ -23,15 +20,6 @@ PICTURES = {
     "reconstruction": orders.reconstruction,
     "convergence": orders.convergence,
 }
-
-
-def save(figure: Figure, path: Path) -> None:
-    """With 256 colours: a third of the bytes, and no difference to the eye."""
-    buffer = BytesIO()
-    figure.savefig(buffer, dpi=110)
-    plt.close(figure)
-    Image.open(buffer).convert("RGB").quantize(256).save(path, optimize=True)
-    print(path)
 
 
 def main() -> None:

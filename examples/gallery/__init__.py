@@ -1,1 +1,1 @@
-"""Pictures and tables of the geometry of framed curves."""
+"""Pictures of framed curves and of rods in equilibrium, and tables of what converges."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from io import BytesIO
+from pathlib import Path
 from typing import Any
 
 import matplotlib
@@ -12,6 +14,7 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from PIL import Image  # which matplotlib brings with it
 
 Array = np.ndarray
 # Okabe and Ito
@@ -94,3 +97,12 @@ def order_line(ax: Any, n: Array, at: float, p: int, label_at: int = -1) -> None
         f"$n^{{-{p}}}$", (n[label_at], y[label_at]), (3, 2), textcoords="offset points",
         color=GREY, fontsize=8,
     )  # fmt: skip
+
+
+def save(figure: Figure, path: Path) -> None:
+    """With 256 colours: a third of the bytes, and no difference to the eye."""
+    buffer = BytesIO()
+    figure.savefig(buffer, dpi=110)
+    plt.close(figure)
+    Image.open(buffer).convert("RGB").quantize(256).save(path, optimize=True)
+    print(path)
