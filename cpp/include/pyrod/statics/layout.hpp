@@ -21,7 +21,7 @@ class Layout : public KnownForces<Space> {
     number();
   }
 
-  int frame_block(int edge) const { return frame_block_[edge]; }
+  int frame_block(int e) const { return frame_block_[e]; }
   /// −1: the frame, or the position, of the node is no unknown.
   int turn_block(int node) const { return turn_block_[node]; }
   int place_block(int node) const { return place_block_[node]; }

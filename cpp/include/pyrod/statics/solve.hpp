@@ -81,7 +81,9 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
 
 template <class Space>
 Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
-  Solution<Spatial> out{placed(static_cast<const RodSolution<Space>&>(local), clamp)};
+  Solution<Spatial> out;
+  static_cast<RodSolution<Spatial>&>(out) =
+      placed(static_cast<const RodSolution<Space>&>(local), clamp);
   out.curve.start_frame = clamp.frame;
   out.status = local.status;
   out.index = local.index;

@@ -196,7 +196,8 @@ class Start {
     for (int j = a.vertex; j < b.vertex; ++j)
       reach += r.grid.h(j) * rotate(base[j - a.vertex], axis<Space>());
     const Point<Space> chord = b.position - a.position;
-    const double shortening = std::min(1., chord.norm() / std::max(reach.norm(), 1e-300));
+    const bool closes = reach.norm() < 1e-9 * length;  // and needs no bow
+    const double shortening = closes ? 1 : std::min(1., chord.norm() / reach.norm());
     const double A = 2 * std::sqrt(1 - shortening);
     const bool ring = chord.norm() < 1e-9 * length && reach.norm() > (1 - 1e-9) * length;
     const Rotation& middle = base[base.size() / 2];
