@@ -98,11 +98,8 @@ class SaddleNewton {
   /// Whether steps lead downhill on the constraints.
   bool downhill() const { return problem_.conservative() && (minimum_ || index() == 0); }
   int index() const { return inertia_.negative - multipliers_; }
-  /// The last factor is of the state before the last step, where a neutral mode may look unstable.
-  int final_index() {
-    if (index() > 0) factorise(0);
-    return index();
-  }
+  /// The last factor is of the state before the last step, whose multipliers may have been others.
+  int final_index() { return factorise(0), index(); }
   double residual() const { return here_.gradient.template lpNorm<Eigen::Infinity>(); }
 
   /// The multipliers' part of a step that the gaps of the constraints do not ask for.
@@ -123,7 +120,8 @@ class SaddleNewton {
       Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
       const bool exact = curvature_ == Curvature::exact;
-      const bool tiny = exact && (now.shift == 0 && now.step <= options_.tolerance && accurate());
+      const bool tiny =
+          exact && !now.shift && now.step <= options_.tolerance && met() && accurate();
       // where a mode is soft, steps still improve on a residual that could be rounding
       const bool rounded = exact && now.residual <= problem_.rounding();
       const bool last = tiny || (rounded && now.step > before / 2);
@@ -241,6 +239,8 @@ class SaddleNewton {
     return {value + ν / 2 * gap, slope - ν * gap, ν};
   }
 
+  /// The constraints hold so well that the multipliers are not about to change much.
+  bool met() const { return std::sqrt(gap()) <= 1e-6 * problem_.unit_energy(); }
   double gap() const { return (here_.gradient - primal(here_.gradient)).squaredNorm(); }
 
   bool search(Iteration& now, bool tiny) {
