@@ -134,6 +134,6 @@ TEST_CASE("half_angle_ratio is accurate up to the full half turn") {
 }
 
 TEST_CASE("horner sums the lowest power first") {
-  CHECK(series::horner(std::array{1., 2., 3.}, 10) == 321);
-  CHECK(series::horner(std::array{7.}, 10) == 7);
+  CHECK(series::horner(std::array{1., 2., 3.}, 10.) == 321);
+  CHECK(series::horner(std::array{7.}, 10.) == 7);
 }

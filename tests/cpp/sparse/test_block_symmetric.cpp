@@ -69,7 +69,7 @@ TEST_CASE("blocks of any sizes in any pattern are the dense matrix they stand fo
     Vector out;
     A.multiply(x, out);
     CHECK(distance(out, expected * x) < 1e-14 * expected.norm());
-    A.set_zero();
+    A.set_zero(0, A.size());
     CHECK(dense(A).norm() == 0);
   }
 }
@@ -110,6 +110,41 @@ TEST_CASE("blocks of a fixed size, and of one row or column, are added as dense 
   expected.block<1, 2>(3, 4) << 10, 11;
   expected(3, 3) = 12;
   CHECK(distance(dense(A), Dense(expected.selfadjointView<Eigen::Upper>())) == 0);
+}
+
+TEST_CASE("of a larger block only what fits is read") {
+  BlockSymmetric A({2, 1}, {{}, {0}});
+  Mat3 B;
+  B << 1, 2, 3, 4, 5, 6, 7, 8, 9;
+  A.add(0, 1, B);
+  A.add_diagonal(0, B);
+  A.add_diagonal(1, Mat3(10 * B));
+  Mat3 expected;
+  expected << 1, 2, 1, 2, 5, 4, 1, 4, 10;
+  CHECK(distance(dense(A), Dense(expected)) == 0);
+}
+
+TEST_CASE("columns lead to the entries of a block, and can be cleared by themselves") {
+  Random random(3);
+  const Pattern pattern(random, 12);
+  BlockSymmetric A(pattern.sizes, pattern.above);
+  for (int J = 0; J < 12; ++J) {
+    const int row = A.first(J), size = A.size_of(J);
+    const auto columns = A.columns(row);
+    for (int k = 0; k < size; ++k)
+      for (int i = 0; i <= columns.above + k; ++i)
+        columns[k][i] = A.rows[A.starts[row + k] + i] + 100 * (row + k);
+  }
+  for (int k = 0; k < A.size(); ++k)
+    for (int p = A.starts[k]; p < A.starts[k + 1]; ++p) CHECK(A.values[p] == A.rows[p] + 100 * k);
+  const int from = A.first(4), end = A.first(7);
+  Dense expected = dense(A);
+  for (int k = from; k < end; ++k) {
+    expected.row(k).head(k + 1).setZero();
+    expected.col(k).head(k + 1).setZero();
+  }
+  A.set_zero(from, end);
+  CHECK(distance(dense(A), expected) == 0);
 }
 
 TEST_CASE("a chain of equal blocks has the pattern of the block tridiagonal matrix") {

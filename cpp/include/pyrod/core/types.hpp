@@ -6,10 +6,10 @@
 
 namespace pyrod {
 
-template <int N>
-using Vec = Eigen::Matrix<double, N, 1>;
-template <int M, int N = M>
-using Mat = Eigen::Matrix<double, M, N>;
+template <int N, class Real = double>
+using Vec = Eigen::Matrix<Real, N, 1>;
+template <int M, int N = M, class Real = double>
+using Mat = Eigen::Matrix<Real, M, N>;
 using Vec3 = Vec<3>;
 using Mat3 = Mat<3>;
 using Vector = Eigen::VectorXd;

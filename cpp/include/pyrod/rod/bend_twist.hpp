@@ -5,55 +5,65 @@
 #include <pyrod/core/curvature.hpp>
 #include <pyrod/rotation/space.hpp>
 
+#include <type_traits>
+
 namespace pyrod {
 
 /// ½ Δs (K − K0)·C(K − K0) as a function of the frames a before and b behind the vertex.
-template <class Space>
+template <class Space, class Real = double>
 struct TurnJet {
-  double energy;
-  Spin<Space> a, b;             ///< gradient
-  Mat<Space::spin> aa, ab, bb;  ///< Hessian: ∂²/∂φ_a∂φ_a, ∂²/∂φ_a∂φ_b, ∂²/∂φ_b∂φ_b
+  using Block = Mat<Space::spin, Space::spin, Real>;
+  Real energy;
+  Spin<Space, Real> a, b;  ///< gradient
+  Block aa, ab, bb;        ///< Hessian: ∂²/∂φ_a∂φ_a, ∂²/∂φ_a∂φ_b, ∂²/∂φ_b∂φ_b
 };
 
-/// `u` = 2 log W is the turn at the vertex, `C` = EI2 there, `K0` its rest curvature.
-template <Curvature>
-TurnJet<Planar> bend_twist(const Vec1& u, const PlanarLogDifferential&, const Vec1& C,
-                           const Vec1& K0, double Δs) {
-  const double k = C[0] / Δs, strain = u[0] - Δs * K0[0], m = k * strain;
-  using One = Mat<1>;
-  return {m * strain / 2, Vec1(-m), Vec1(m), One(k), One(-k), One(k)};
+/// `u` = 2 log W is the turn at the vertex, k = C/Δs the stiffness against it, `rest` = Δs K0 the
+/// turn at rest.
+template <Curvature, class Real>
+TurnJet<Planar, Real> bend_twist(const std::type_identity_t<Vec<1, Real>>& u,
+                                 const PlanarLogDifferentialOf<Real>&,
+                                 const std::type_identity_t<Vec<1, Real>>& stiffness,
+                                 const std::type_identity_t<Vec<1, Real>>& rest) {
+  const Real k = stiffness[0], strain = u[0] - rest[0], m = k * strain;
+  using One = Mat<1, 1, Real>;
+  using Vector1 = Vec<1, Real>;
+  return {m * strain / Real(2), Vector1(-m), Vector1(m), One(k), One(-k), One(k)};
 }
 
-/// `u` = 2 log W is the turn at the vertex, `C` = (EI1, EI2, GJ) there, `K0` its rest curvature.
+/// The same in space.
 ///
-/// With du = T φ_b − Tᵀφ_a, k = C/Δs and m = k (u − Δs K0) the gradient is (−T m, Tᵀ m). The
+/// With du = T φ_b − Tᵀφ_a and m = k (u − rest) the gradient is (−T m, Tᵀ m). The
 /// Hessian is Tᵀ k T, T k Tᵀ and −T k T plus, if exact, what the change of T adds. With
 /// T = d I + ½[u] + c u uᵀ all of it collapses to the vectors u, m, k u and their products with u,
 /// and the blocks share their parts (α and M come with the change of T):
 ///   bb, aa = B − Q ± O,   ab = −(B + Q) + M + [r],
 ///   B = d² k + α I + u eᵀ + e uᵀ,   O = ½ d (k [u] − [u] k) + u oᵀ + o uᵀ,
 ///   Q = ¼ [u] k [u],   M = ¼ ([u] [m] + [m] [u]) = ¼ (u mᵀ + m uᵀ) − ½ u·m I.
-template <Curvature kind>
-TurnJet<Spatial> bend_twist(const Vec3& u, const LogDifferential& dlog, const Vec3& C,
-                            const Vec3& K0, double Δs) {
-  const double c = dlog.c(), θ2 = dlog.θ2(), d = 1 - c * θ2;
-  const Vec3 k = (1 / Δs) * C, strain = u - Δs * K0, m = k.cwiseProduct(strain);
-  const Vec3 ku = k.cwiseProduct(u), uxku = u.cross(ku), uxm = u.cross(m);
-  const double um = u.dot(m), uku = u.dot(ku);
-  const Vec3 mean = d * m + c * um * u;  // ½ (T + Tᵀ) m
+template <Curvature kind, class Real>
+TurnJet<Spatial, Real> bend_twist(const std::type_identity_t<Vec<3, Real>>& u,
+                                  const LogDifferentialOf<Real>& dlog,
+                                  const std::type_identity_t<Vec<3, Real>>& k,
+                                  const std::type_identity_t<Vec<3, Real>>& rest) {
+  using Vector3 = Vec<3, Real>;
+  const Real c = dlog.c(), θ2 = dlog.θ2(), d = 1 - c * θ2;
+  const Vector3 strain = u - rest, m = k.cwiseProduct(strain);
+  const Vector3 ku = k.cwiseProduct(u), uxku = u.cross(ku), uxm = u.cross(m);
+  const Real um = u.dot(m), uku = u.dot(ku);
+  const Vector3 mean = d * m + c * um * u;  // ½ (T + Tᵀ) m
 
-  TurnJet<Spatial> jet;
+  TurnJet<Spatial, Real> jet;
   jet.energy = m.dot(strain) / 2;
   jet.a = -mean - uxm / 2;
   jet.b = mean - uxm / 2;
 
-  double α = 0;
-  Vec3 e = c * d * ku + (c * c / 2 * uku) * u;
-  Vec3 o = -c / 2 * uxku;
-  Vec3 r = -c / 2 * u.cross(uxku);
+  Real α = 0;
+  Vector3 e = c * d * ku + (c * c / 2 * uku) * u;
+  Vector3 o = -c / 2 * uxku;
+  Vector3 r = -c / 2 * u.cross(uxku);
   for (int i = 0; i < 3; ++i) r[i] -= d / 2 * (k[(i + 1) % 3] + k[(i + 2) % 3]) * u[i];
   if constexpr (kind == Curvature::exact) {
-    const double slope = dlog.slope();
+    const Real slope = dlog.slope();
     α = um * (c * d - 0.25);
     e += (0.25 - c - (c * c + slope) * θ2) / 2 * m + ((2 * c * c + slope) / 2 * um) * u;
     o -= c / 2 * uxm;
@@ -62,27 +72,34 @@ TurnJet<Spatial> bend_twist(const Vec3& u, const LogDifferential& dlog, const Ve
 
   for (int i = 0; i < 3; ++i) {  // entry (i, i), then (j, l) and (l, j), where a cross product is ∓
     const int j = (i + 1) % 3, l = (i + 2) % 3;
-    const double Bii = d * d * k[i] + α + 2 * u[i] * e[i], Oii = 2 * u[i] * o[i];
-    const double Qii = -(k[j] * u[l] * u[l] + k[l] * u[j] * u[j]) / 4;
+    const Real Bii = d * d * k[i] + α + 2 * u[i] * e[i], Oii = 2 * u[i] * o[i];
+    const Real Qii = -(k[j] * u[l] * u[l] + k[l] * u[j] * u[j]) / 4;
     jet.bb(i, i) = Bii - Qii + Oii;
     jet.aa(i, i) = Bii - Qii - Oii;
     jet.ab(i, i) = -(Bii + Qii);
 
-    const double B = u[j] * e[l] + e[j] * u[l], Q = k[i] * u[j] * u[l] / 4;
-    const double O = u[j] * o[l] + o[j] * u[l] - d / 2 * (k[j] - k[l]) * u[i];
+    const Real B = u[j] * e[l] + e[j] * u[l], Q = k[i] * u[j] * u[l] / 4;
+    const Real O = u[j] * o[l] + o[j] * u[l] - d / 2 * (k[j] - k[l]) * u[i];
     jet.bb(j, l) = jet.bb(l, j) = B - Q + O;
     jet.aa(j, l) = jet.aa(l, j) = B - Q - O;
     jet.ab(j, l) = -(B + Q) - r[i];
     jet.ab(l, j) = -(B + Q) + r[i];
 
     if constexpr (kind == Curvature::exact) {
-      const double M = (u[j] * m[l] + m[j] * u[l]) / 4;
+      const Real M = (u[j] * m[l] + m[j] * u[l]) / 4;
       jet.ab(i, i) -= (u[j] * m[j] + u[l] * m[l]) / 2;
       jet.ab(j, l) += M;
       jet.ab(l, j) += M;
     }
   }
   return jet;
+}
+
+/// From C = (EI1, EI2, GJ) or EI2 at the vertex and its rest curvature K0.
+template <Curvature kind, class Differential, int N>
+auto bend_twist(const Vec<N>& u, const Differential& dlog, const Vec<N>& C, const Vec<N>& K0,
+                double Δs) {
+  return bend_twist<kind>(u, dlog, C / Δs, Δs * K0);
 }
 
 }  // namespace pyrod

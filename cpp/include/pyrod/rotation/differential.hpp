@@ -32,21 +32,22 @@ inline Mat3 inverse_cayley_differential(const Vec3& q) {
 ///
 /// For W = exp(u), log(W exp(φ)) = u + T φ + …, with T = I + ½[u] + c[u]² = D⁻¹; an increment from
 /// the left enters with Tᵀ, since exp(φ) W = W exp(Wᵀφ) and T Wᵀ = Tᵀ.
-class LogDifferential {
+template <class Real>
+class LogDifferentialOf {
  public:
-  LogDifferential() = default;
-  explicit LogDifferential(const Vec3& u)
-      : u_(u), θ2_(u.squaredNorm()), coefficients_(log_coefficients(std::sqrt(θ2_))) {}
+  LogDifferentialOf() = default;
+  explicit LogDifferentialOf(const Vec<3, Real>& u)
+      : u_(u), θ2_(u.squaredNorm()), coefficients_(log_coefficients_of_square(θ2_)) {}
 
-  double c() const { return coefficients_.c; }
-  double slope() const { return coefficients_.slope; }
-  double θ2() const { return θ2_; }
+  const Real& c() const { return coefficients_.c; }
+  const Real& slope() const { return coefficients_.slope; }
+  const Real& θ2() const { return θ2_; }
 
-  Mat3 T() const {  // [u]² = u uᵀ − θ² I, written out
-    const double c = coefficients_.c, d = 1 - c * θ2_;
-    const Vec3 h = u_ / 2, cu = c * u_;
-    const double xy = cu.x() * u_.y(), xz = cu.x() * u_.z(), yz = cu.y() * u_.z();
-    Mat3 T;
+  Mat<3, 3, Real> T() const {  // [u]² = u uᵀ − θ² I, written out
+    const Real c = coefficients_.c, d = 1 - c * θ2_;
+    const Vec<3, Real> h = u_ / 2, cu = c * u_;
+    const Real xy = cu.x() * u_.y(), xz = cu.x() * u_.z(), yz = cu.y() * u_.z();
+    Mat<3, 3, Real> T;
     T << d + cu.x() * u_.x(), xy - h.z(), xz + h.y(),  //
         xy + h.z(), d + cu.y() * u_.y(), yz - h.x(),   //
         xz - h.y(), yz + h.x(), d + cu.z() * u_.z();
@@ -55,27 +56,30 @@ class LogDifferential {
 
   /// The derivative of [u]²-terms at fixed m; for any du,
   ///   d(Tᵀ m) = (N + ½[m]) du,  d(T m) = (N − ½[m]) du.
-  Mat3 N(const Vec3& m) const {
-    const double um = u_.dot(m), c = coefficients_.c;
-    Mat3 N = (coefficients_.slope * (um * u_ - θ2_ * m) - 2 * c * m) * u_.transpose();
+  Mat<3, 3, Real> N(const Vec<3, Real>& m) const {
+    const Real um = u_.dot(m), c = coefficients_.c;
+    Mat<3, 3, Real> N = (coefficients_.slope * (um * u_ - θ2_ * m) - 2 * c * m) * u_.transpose();
     N += (c * u_) * m.transpose();
     N.diagonal().array() += c * um;
     return N;
   }
 
  private:
-  Vec3 u_;
-  double θ2_ = 0;
-  LogCoefficients coefficients_{};
+  Vec<3, Real> u_;
+  Real θ2_ = 0;
+  LogCoefficients<Real> coefficients_{};
 };
+using LogDifferential = LogDifferentialOf<double>;
 
 /// The plane is commutative: T = 1 and its derivative vanishes.
-class PlanarLogDifferential {
+template <class Real>
+class PlanarLogDifferentialOf {
  public:
-  PlanarLogDifferential() = default;
-  explicit PlanarLogDifferential(const Vec1&) {}
+  PlanarLogDifferentialOf() = default;
+  explicit PlanarLogDifferentialOf(const Vec<1, Real>&) {}
   Mat<1> T() const { return Mat<1>::Identity(); }
   Mat<1> N(const Vec1&) const { return Mat<1>::Zero(); }
 };
+using PlanarLogDifferential = PlanarLogDifferentialOf<double>;
 
 }  // namespace pyrod

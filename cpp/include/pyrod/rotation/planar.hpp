@@ -5,10 +5,7 @@
 /// 2, and the angle turns about e2, which takes e3 towards e1.
 #pragma once
 
-#include <pyrod/core/types.hpp>
-
-#include <cmath>
-#include <numbers>
+#include <pyrod/rotation/trigonometry.hpp>
 
 namespace pyrod {
 
@@ -16,16 +13,21 @@ using Vec1 = Vec<1>;
 using Vec2 = Vec<2>;
 
 /// A turn that knows how often it went round: the angle is not reduced.
-struct Angle {
-  double radians = 0;
+template <class Real>
+struct AngleOf {
+  Real radians = 0;
 
-  static Angle Identity() { return {}; }
-  Angle conjugate() const { return {-radians}; }
-  friend Angle operator*(Angle a, Angle b) { return {a.radians + b.radians}; }
+  static AngleOf Identity() { return {}; }
+  AngleOf conjugate() const { return {-radians}; }
+  friend AngleOf operator*(const AngleOf& a, const AngleOf& b) { return {a.radians + b.radians}; }
 };
+using Angle = AngleOf<double>;
 
 inline Angle exp(const Vec1& φ) { return {φ[0]}; }
-inline Vec1 log(Angle a) { return Vec1(a.radians); }
+template <class Real>
+Vec<1, Real> log(const AngleOf<Real>& a) {
+  return Vec<1, Real>(a.radians);
+}
 
 inline Mat<2> matrix(Angle a) {
   const double c = std::cos(a.radians), s = std::sin(a.radians);
@@ -35,13 +37,19 @@ inline Mat<2> matrix(Angle a) {
 }
 
 /// R v.
-inline Vec2 rotate(Angle a, const Vec2& v) {
-  const double c = std::cos(a.radians), s = std::sin(a.radians);
+template <class Real>
+Vec<2, Real> rotate(const AngleOf<Real>& a, const Vec<2, Real>& v) {
+  const auto [s, c] = sine_cosine(a.radians);
   return {c * v[0] + s * v[1], c * v[1] - s * v[0]};
 }
+inline Vec2 rotate(Angle a, const Vec2& v) { return rotate<double>(a, v); }
 
 /// Rᵀ v.
-inline Vec2 unrotate(Angle a, const Vec2& v) { return rotate(a.conjugate(), v); }
+template <class Real>
+Vec<2, Real> unrotate(const AngleOf<Real>& a, const Vec<2, Real>& v) {
+  return rotate<Real>(a.conjugate(), v);
+}
+inline Vec2 unrotate(Angle a, const Vec2& v) { return unrotate<double>(a, v); }
 
 /// The turn with tan(ϑ/4) = q, and back.
 inline Angle cayley(const Vec1& q) { return {4 * std::atan(q[0])}; }
@@ -50,7 +58,11 @@ inline Vec1 inverse_cayley(Angle a) { return Vec1(std::tan(a.radians / 4)); }
 /// The same frame by the smaller turn, |angle| ≤ π.
 inline Angle principal(Angle a) { return {std::remainder(a.radians, 2 * std::numbers::pi)}; }
 
-inline Angle moved(Angle a, const Vec1& φ) { return {a.radians + φ[0]}; }
+template <class Real>
+AngleOf<Real> moved(const AngleOf<Real>& a, const Vec<1, Real>& φ) {
+  return {a.radians + φ[0]};
+}
+inline Angle moved(Angle a, const Vec1& φ) { return moved<double>(a, φ); }
 inline Angle between(Angle a, Angle b, double fraction = 0.5) {
   return {a.radians + fraction * (b.radians - a.radians)};
 }

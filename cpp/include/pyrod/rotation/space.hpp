@@ -9,6 +9,10 @@ namespace pyrod {
 struct Planar {
   static constexpr int dim = 2;   ///< components of a position: 1 and 3
   static constexpr int spin = 1;  ///< components of a rotation vector: 2
+  template <class Real>
+  using RotationOf = AngleOf<Real>;
+  template <class Real>
+  using DifferentialOf = PlanarLogDifferentialOf<Real>;
   using Rotation = Angle;
   using Differential = PlanarLogDifferential;
 };
@@ -16,26 +20,40 @@ struct Planar {
 struct Spatial {
   static constexpr int dim = 3;
   static constexpr int spin = 3;
+  template <class Real>
+  using RotationOf = QuaternionOf<Real>;
+  template <class Real>
+  using DifferentialOf = LogDifferentialOf<Real>;
   using Rotation = Quaternion;
   using Differential = LogDifferential;
 };
 
 /// A position, force or strain Γ.
-template <class Space>
-using Point = Vec<Space::dim>;
+template <class Space, class Real = double>
+using Point = Vec<Space::dim, Real>;
 /// A rotation vector, curvature K or moment.
-template <class Space>
-using Spin = Vec<Space::spin>;
+template <class Space, class Real = double>
+using Spin = Vec<Space::spin, Real>;
 
 /// Unit vector along the axis of the rod, the third director's own components.
-template <class Space>
-Point<Space> axis() {
-  return Point<Space>::Unit(Space::dim - 1);
+template <class Space, class Real = double>
+Point<Space, Real> axis() {
+  Point<Space, Real> e3 = Point<Space, Real>::Zero();
+  e3[Space::dim - 1] = 1;
+  return e3;
 }
 
+template <class Real>
+Vec<3, Real> cross(const Vec<3, Real>& a, const Vec<3, Real>& b) {
+  return a.cross(b);
+}
 inline Vec3 cross(const Vec3& a, const Vec3& b) { return a.cross(b); }
 /// Component 2 of the spatial product.
-inline Vec1 cross(const Vec2& a, const Vec2& b) { return Vec1(a[1] * b[0] - a[0] * b[1]); }
+template <class Real>
+Vec<1, Real> cross(const Vec<2, Real>& a, const Vec<2, Real>& b) {
+  return Vec<1, Real>(a[1] * b[0] - a[0] * b[1]);
+}
+inline Vec1 cross(const Vec2& a, const Vec2& b) { return cross<double>(a, b); }
 
 /// skew(a) φ = a × φ for a rotation vector φ: dim × spin.
 inline Vec2 skew(const Vec2& a) { return {-a[1], a[0]}; }

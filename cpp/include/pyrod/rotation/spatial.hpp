@@ -14,8 +14,15 @@ namespace pyrod {
 
 using Quaternion = Eigen::Quaterniond;
 
-inline Quaternion quaternion(double real, const Vec3& imaginary) {
+template <class Real>
+using QuaternionOf = Eigen::Quaternion<Real>;
+
+template <class Real>
+QuaternionOf<Real> quaternion(const Real& real, const Vec<3, Real>& imaginary) {
   return {real, imaginary.x(), imaginary.y(), imaginary.z()};
+}
+inline Quaternion quaternion(double real, const Vec3& imaginary) {
+  return quaternion<double>(real, imaginary);
 }
 
 /// Cross product matrix: skew(a) b = a × b.
@@ -26,15 +33,21 @@ inline Mat3 skew(const Vec3& a) {
 }
 
 /// Unit quaternion that turns by the rotation vector φ [rad].
-inline Quaternion exp(const Vec3& φ) {
-  const auto [cosine, sine_over_θ] = half_turn(φ.squaredNorm());
-  return quaternion(cosine, sine_over_θ * φ);
+template <class Real>
+QuaternionOf<Real> exp(const Vec<3, Real>& φ) {
+  const auto [cosine, sine_over_θ] = half_turn<Real>(φ.squaredNorm());
+  return quaternion<Real>(cosine, sine_over_θ * φ);
 }
+inline Quaternion exp(const Vec3& φ) { return exp<double>(φ); }
 
 /// Rotation vector of a unit quaternion, |log p| in [0, 2π]: Linn's 2 log p̂ = ϑ Û.
-inline Vec3 log(const Quaternion& p) {
-  return 2 * half_angle_ratio(p.vec().norm(), p.w()) * p.vec();
+template <class Real>
+Vec<3, Real> log(const QuaternionOf<Real>& p) {
+  using std::sqrt;
+  const Vec<3, Real> v = p.vec();
+  return Real(2) * half_angle_ratio<Real>(sqrt(v.squaredNorm()), p.w()) * v;
 }
+inline Vec3 log(const Quaternion& p) { return log<double>(p); }
 
 /// The same frame by the smaller turn, |log p| ≤ π. For where nothing tells the sign.
 inline Quaternion principal(const Quaternion& p) {
@@ -51,10 +64,12 @@ inline Vec3 rotate(const Quaternion& q, const Vec3& v) {
 }
 
 /// Rᵀ v: from space to the frame's components.
-inline Vec3 unrotate(const Quaternion& q, const Vec3& v) {
-  const Vec3 t = 2 * q.vec().cross(v);
+template <class Real>
+Vec<3, Real> unrotate(const QuaternionOf<Real>& q, const Vec<3, Real>& v) {
+  const Vec<3, Real> t = Real(2) * q.vec().cross(v);
   return v - q.w() * t + q.vec().cross(t);
 }
+inline Vec3 unrotate(const Quaternion& q, const Vec3& v) { return unrotate<double>(q, v); }
 
 /// (1 + q)/(1 − q): the unit quaternion whose angle ϑ has tan(ϑ/4) = |q| (Linn, note 3).
 inline Quaternion cayley(const Vec3& q) {
@@ -69,7 +84,14 @@ inline Vec3 inverse_cayley(const Quaternion& p) {
 }
 
 /// q exp(φ), brought back to unit length so that a long sequence of moves does not drift.
-inline Quaternion moved(const Quaternion& q, const Vec3& φ) { return (q * exp(φ)).normalized(); }
+template <class Real>
+QuaternionOf<Real> moved(const QuaternionOf<Real>& q, const Vec<3, Real>& φ) {
+  using std::sqrt;
+  QuaternionOf<Real> p = q * exp<Real>(φ);
+  p.coeffs() /= sqrt(p.coeffs().squaredNorm());
+  return p;
+}
+inline Quaternion moved(const Quaternion& q, const Vec3& φ) { return moved<double>(q, φ); }
 
 /// The rotation from a towards b by the given fraction of the way, along the shortest great circle
 /// that the turn conj(a) b, with its sign, belongs to.

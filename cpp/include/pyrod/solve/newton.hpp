@@ -9,6 +9,7 @@
 #include <pyrod/solve/problem.hpp>
 #include <pyrod/solve/skew_solver.hpp>
 #include <pyrod/solve/status.hpp>
+#include <pyrod/solve/workspace.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -53,10 +54,12 @@ class Newton {
       : problem_(problem),
         options_(options),
         trace_(std::move(trace)),
-        here_(problem.linearisation()),
-        factor_(here_.hessian),
-        δ_(here_.gradient.size()),
-        trial_(δ_.size()) {
+        workspace_(problem),
+        here_((*workspace_).here),
+        factor_((*workspace_).factor),
+        δ_((*workspace_).δ),
+        trial_((*workspace_).trial),
+        from_((*workspace_).from) {
     options_.check();
   }
 
@@ -68,6 +71,7 @@ class Newton {
     x_ = std::move(start);
     curvature_ = first;
     Result<State> result;
+    result.record.reserve(usual_iterations);
     problem_.linearise(x_, curvature_, here_);
     result.status = iterate(result);
     result.state = std::move(x_);
@@ -78,6 +82,8 @@ class Newton {
   }
 
  private:
+  static constexpr std::size_t usual_iterations = 16;
+
   Status iterate(Result<State>& result) {
     if (!std::isfinite(here_.energy)) return Status::not_finite;
     while (result.iterations() < options_.max_iterations) {
@@ -98,6 +104,11 @@ class Newton {
 
   double residual() const { return here_.gradient.template lpNorm<Eigen::Infinity>(); }
 
+  /// The largest component, NaN if there is one.
+  static double largest(const Vector& v) {
+    return v.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+  }
+
   /// δ from the present linearisation: the Newton step, or a shifted one where the Hessian is no
   /// guide. False if numbers fail.
   bool find_step(Iteration& now) {
@@ -105,14 +116,14 @@ class Newton {
     if (trusted(now)) {
       if (curvature_ == Curvature::exact && !problem_.conservative()) {
         correct_skew();
-        now.step = δ_.template lpNorm<Eigen::Infinity>();
+        now.step = largest(δ_);
       }
-      if (trusted(now)) return δ_.allFinite();
+      if (trusted(now)) return true;
     }
     double σ = 0.3 * residual() / options_.trust;
     for (int i = 0; i < 60 && std::isfinite(σ); ++i, σ *= 3) {
       factorise(σ, now);
-      if (trusted(now) && inertia_.negative == 0) return δ_.allFinite();
+      if (trusted(now) && inertia_.negative == 0) return true;
     }
     return false;
   }
@@ -124,9 +135,9 @@ class Newton {
     now.shift = σ;
     now.step = std::numeric_limits<double>::infinity();
     if (inertia_.broken > 0) return;
-    δ_ = -here_.gradient;
-    factor_.solve(δ_, δ_);
-    now.step = δ_.template lpNorm<Eigen::Infinity>();
+    factor_.solve(here_.gradient, δ_);
+    δ_ = -δ_;
+    now.step = largest(δ_);
   }
 
   /// A step below the tolerance is taken whatever the inertia: the state is an equilibrium already.
@@ -154,10 +165,11 @@ class Newton {
       problem_.multiply_skew(x_, δ_, skew);
       trial_ += skew;
     }
+    const double error = largest(trial_), bound = 1e-3 * residual();
+    if (error <= bound) return true;
     const Eigen::Map<const Vector> H(here_.hessian.values.data(),
                                      Eigen::Index(here_.hessian.values.size()));
-    const double nothing = 1e-16 * options_.tolerance * H.template lpNorm<Eigen::Infinity>();
-    return trial_.template lpNorm<Eigen::Infinity>() <= 1e-3 * residual() + nothing;
+    return error <= bound + 1e-16 * options_.tolerance * H.template lpNorm<Eigen::Infinity>();
   }
 
   /// Full step first, then ever smaller ones until one is acceptable; a `tiny` one, which may
@@ -169,8 +181,8 @@ class Newton {
     std::swap(x_, from_);
     for (now.fraction = 1; now.fraction > 1e-8;) {
       if (tiny || now.fraction * now.step < options_.near) curvature_ = Curvature::exact;
-      trial_ = now.fraction * δ_;
-      problem_.move(from_, trial_, x_);
+      if (now.fraction < 1) trial_ = now.fraction * δ_;
+      problem_.move(from_, now.fraction < 1 ? trial_ : δ_, x_);
       problem_.linearise(x_, curvature_, here_);
       const double rounding = 1e-13 * (magnitude + here_.magnitude);
       const double goal = energy + 1e-4 * now.fraction * slope + rounding;
@@ -203,11 +215,12 @@ class Newton {
   const P& problem_;
   Options options_;
   Trace trace_;
-  LinearisationOf<P> here_;
-  Cholesky factor_;
+  LeasedWorkspace<P> workspace_;
+  LinearisationOf<P>& here_;
+  Cholesky& factor_;
+  Vector &δ_, &trial_;
+  State x_, &from_;
   Inertia inertia_;
-  State x_, from_;
-  Vector δ_, trial_;
   Curvature curvature_ = Curvature::convex;
 };
 

@@ -12,20 +12,20 @@ namespace pyrod {
 /// block rows `above[J]`, each less than J; on the diagonal every block has its upper triangle.
 class BlockSymmetric : public SymmetricMatrix {
  public:
-  BlockSymmetric(std::vector<int> sizes, std::vector<std::vector<int>> above)
-      : sizes_(std::move(sizes)), above_(std::move(above)) {
+  BlockSymmetric(std::vector<int> sizes, const std::vector<std::vector<int>>& above)
+      : sizes_(std::move(sizes)) {
     first_.assign(1, 0);
     for (const int size : sizes_) first_.push_back(first_.back() + size);
-    starts.reserve(std::size_t(first_.back()) + 1);
+    reserve(above);
     for (std::size_t J = 0; J < sizes_.size(); ++J) {
-      std::sort(above_[J].begin(), above_[J].end());
-      prefix_.push_back(int(places_.size()));
+      const auto begin = above_.insert(above_.end(), above[J].begin(), above[J].end());
+      std::sort(begin, above_.end());
       int place = 0;
-      for (const int I : above_[J]) places_.push_back(place), place += sizes_[I];
-      places_.push_back(place);
+      for (auto I = begin; I != above_.end(); ++I) places_.push_back(place), place += sizes_[*I];
+      ends_.push_back(int(above_.size()));
       for (int k = 0; k < sizes_[J]; ++k) {
-        for (const int I : above_[J])
-          for (int i = 0; i < sizes_[I]; ++i) rows.push_back(first_[I] + i);
+        for (auto I = begin; I != above_.end(); ++I)
+          for (int i = 0; i < sizes_[*I]; ++i) rows.push_back(first_[*I] + i);
         for (int i = 0; i <= k; ++i) rows.push_back(first_[J] + i);
         starts.push_back(int(rows.size()));
       }
@@ -37,37 +37,61 @@ class BlockSymmetric : public SymmetricMatrix {
   int first(int J) const { return first_[J]; }
   int size_of(int J) const { return sizes_[J]; }
 
-  void set_zero() { std::fill(values.begin(), values.end(), 0.); }
+  /// The columns of a block: column k has `above` entries over the diagonal block, and then k + 1.
+  struct Columns {
+    double* start;
+    int above;
+    double* operator[](int k) const { return start + k * above + k * (k + 1) / 2; }
+  };
+  /// Of the block whose first row is `row`.
+  Columns columns(int row) {
+    return {values.data() + starts[row], starts[row + 1] - starts[row] - 1};
+  }
 
-  /// Adds to the block in block row I and block column J > I, which the pattern must have.
+  /// From this row, the first of its block, to the one before `end`.
+  void set_zero(int row, int end) {
+    std::fill(values.begin() + starts[row], values.begin() + starts[end], 0.);
+  }
+
+  /// Adds to the block in block row I and block column J > I, which the pattern must have. Of a
+  /// larger `block` only as much as fits is read, here and below.
   template <class Block>
   void add(int I, int J, const Block& block) {
-    const auto& rows_of_J = above_[J];
-    const auto k = std::lower_bound(rows_of_J.begin(), rows_of_J.end(), I) - rows_of_J.begin();
-    add_at(J, places_[prefix_[J] + k], block);
+    const auto begin = above_.begin() + (J == 0 ? 0 : ends_[J - 1]);
+    const auto found = std::lower_bound(begin, above_.begin() + ends_[J], I);
+    const int place = places_[found - above_.begin()];
+    const Columns to = columns(first_[J]);
+    for (int k = 0; k < sizes_[J]; ++k)
+      for (int i = 0; i < sizes_[I]; ++i) to[k][place + i] += block(i, k);
   }
 
   /// Adds the upper triangle of a block on the diagonal.
   template <class Block>
   void add_diagonal(int J, const Block& block) {
-    const int place = places_[prefix_[J] + int(above_[J].size())];
-    for (int k = 0; k < sizes_[J]; ++k) {
-      double* value = values.data() + starts[first_[J] + k] + place;
-      for (int i = 0; i <= k; ++i) value[i] += block(i, k);
-    }
+    const Columns to = columns(first_[J]);
+    for (int k = 0; k < sizes_[J]; ++k)
+      for (int i = 0; i <= k; ++i) to[k][to.above + i] += block(i, k);
   }
 
  private:
-  template <class Block>
-  void add_at(int J, int place, const Block& block) {
-    for (int k = 0; k < int(block.cols()); ++k) {
-      double* value = values.data() + starts[first_[J] + k] + place;
-      for (int i = 0; i < int(block.rows()); ++i) value[i] += block(i, k);
+  void reserve(const std::vector<std::vector<int>>& above) {
+    std::size_t blocks = 0, entries = 0;
+    for (std::size_t J = 0; J < sizes_.size(); ++J) {
+      int height = 0;
+      for (const int I : above[J]) height += sizes_[I];
+      blocks += above[J].size();
+      entries += std::size_t(sizes_[J]) * std::size_t(2 * height + sizes_[J] + 1) / 2;
     }
+    starts.reserve(std::size_t(first_.back()) + 1);
+    rows.reserve(entries);
+    above_.reserve(blocks);
+    places_.reserve(blocks);
+    ends_.reserve(sizes_.size());
   }
 
-  std::vector<int> sizes_, first_, prefix_, places_;
-  std::vector<std::vector<int>> above_;
+  std::vector<int> sizes_, first_;
+  std::vector<int> above_, places_;  ///< block rows, column by column, and rows before each
+  std::vector<int> ends_;            ///< of the columns in these
 };
 
 }  // namespace pyrod

@@ -2,7 +2,7 @@
 /// \file Sparse symmetric matrices: the upper triangle, column by column.
 #pragma once
 
-#include <pyrod/core/types.hpp>
+#include <pyrod/core/pack.hpp>
 
 #include <vector>
 
@@ -17,19 +17,35 @@ struct SymmetricMatrix {
 
   int size() const { return int(starts.size()) - 1; }
 
+  /// Memory it takes.
+  std::size_t bytes() const {
+    return (starts.capacity() + rows.capacity()) * sizeof(int) + values.capacity() * sizeof(double);
+  }
+
   /// The entry on the diagonal, the last of its column; in the pattern.
   double& diagonal(int k) { return values[starts[k + 1] - 1]; }
 
   /// out = A x.
   void multiply(const Vector& x, Vector& out) const {
     out.setZero(size());
-    for (int k = 0; k < size(); ++k) {
-      for (int p = starts[k]; p < starts[k + 1]; ++p) {
-        const int i = rows[p];
-        out[i] += values[p] * x[k];
-        if (i != k) out[k] += values[p] * x[i];
-      }
+    for (int k = 0; k < size(); ++k) add_products(k, x, out);
+  }
+
+  /// The same if x is zero where the other columns have entries.
+  void multiply(const Vector& x, const std::vector<int>& columns, Vector& out) const {
+    out.setZero(size());
+    for (const int k : columns) add_products(k, x, out);
+  }
+
+ private:
+  /// What the entries of column k, and those of the row like it, add to A x.
+  void add_products(int k, const Vector& x, Vector& out) const {
+    double sum = 0;
+    for (int p = starts[k]; p + 1 < starts[k + 1]; ++p) {  // the last is on the diagonal
+      out[rows[p]] += values[p] * x[k];
+      sum += values[p] * x[rows[p]];
     }
+    out[k] += sum + values[starts[k + 1] - 1] * x[k];
   }
 };
 
@@ -50,23 +66,25 @@ class BlockTridiagonal : public SymmetricMatrix {
     values.assign(rows.size(), 0);
   }
 
-  /// Writes block column j: the block above the diagonal (none for j = 0) and the diagonal block,
-  /// of which the upper triangle is read.
-  void set_column(int j, const Mat<B>& above, const Mat<B>& diagonal) {
-    double* value = column(j);
+  /// Writes the block columns first … first + count − 1, one in each lane: the block above the
+  /// diagonal (none for column 0) and the diagonal block, of which the upper triangle is read.
+  template <int W>
+  void set_columns(int first, int count, const Mat<B, B, Pack<W>>& above,
+                   const Mat<B, B, Pack<W>>& diagonal) {
+    alignas(Pack<W>) double entries[step_][W];
+    int e = 0;
     for (int k = 0; k < B; ++k) {
-      if (j > 0)
-        for (int i = 0; i < B; ++i) *value++ = above(i, k);
-      for (int i = 0; i <= k; ++i) *value++ = diagonal(i, k);
+      for (int i = 0; i < B; ++i) above(i, k).store(entries[e++]);
+      for (int i = 0; i <= k; ++i) diagonal(i, k).store(entries[e++]);
     }
-  }
-
-  /// Adds the upper triangle of a block to the diagonal block j.
-  void add_to_diagonal(int j, const Mat<B>& block) {
-    double* value = column(j);
-    for (int k = 0; k < B; ++k) {
-      if (j > 0) value += B;
-      for (int i = 0; i <= k; ++i) *value++ += block(i, k);
+    for (int lane = 0; lane < count; ++lane) {
+      double* value = column(first + lane);
+      if (first + lane == 0) {
+        for (int k = 0; k < B; ++k)
+          for (int i = 0; i <= k; ++i) *value++ = diagonal(i, k).values[0];
+      } else {
+        for (int i = 0; i < step_; ++i) value[i] = entries[i][lane];
+      }
     }
   }
 

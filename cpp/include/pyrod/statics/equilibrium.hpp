@@ -7,14 +7,9 @@
 /// minimised is W_bt − Σ h (b·e3 + ½ b·S b), b = Rᵀn (docs/theory.md, "Unknowns").
 #pragma once
 
-#include <pyrod/rod/bend_twist.hpp>
 #include <pyrod/rod/rod.hpp>
-#include <pyrod/solve/problem.hpp>
+#include <pyrod/statics/chain.hpp>
 #include <pyrod/statics/loads.hpp>
-#include <pyrod/statics/section_force.hpp>
-
-#include <algorithm>
-#include <array>
 
 namespace pyrod {
 
@@ -23,13 +18,11 @@ class Equilibrium {
  public:
   using Rotation = typename Space::Rotation;
   using State = std::vector<Rotation>;
-  static constexpr int spin = Space::spin;
+  static constexpr int dim = Space::dim, spin = Space::spin;
   using Storage = Linearisation<BlockTridiagonal<spin>>;
 
   Equilibrium(const Rod<Space>& rod, const Rotation& clamp, const Loads<Space>& loads)
-      : rod_(rod), clamp_(clamp), force_(loads.section_forces()) {
-    compliance_.reserve(rod.stretching.size());
-    for (const auto& C : rod.stretching) compliance_.emplace_back(C);
+      : chain_(chain(rod, clamp, loads)) {
     if (loads.has_couples()) {
       couple_ = loads.couple;
       couple_.back() += loads.end_couple;
@@ -37,10 +30,14 @@ class Equilibrium {
   }
 
   /// Replaces the section forces; the couples stay.
-  void set_forces(std::vector<Point<Space>> n) { force_ = std::move(n); }
+  void set_forces(const std::vector<Point<Space>>& n) {
+    chain_.force = column<dim>(chain_.edges, n);
+  }
+
+  int shape() const { return chain_.edges; }
 
   Storage linearisation() const {
-    const int n = rod_.edges();
+    const int n = chain_.edges;
     return {0, 0, Vector::Zero(spin * n), BlockTridiagonal<spin>(n)};
   }
 
@@ -53,8 +50,7 @@ class Equilibrium {
 
   void move(const State& q, const Vector& δ, State& out) const {
     out.resize(q.size());
-    for (std::size_t j = 0; j < q.size(); ++j)
-      out[j] = moved(q[j], Spin<Space>(δ.segment<spin>(spin * j)));
+    dispatch(MoveFrames<Space>{int(q.size()), q.data(), δ.data(), out.data()});
   }
 
   /// A couple fixed in space has a potential in the plane only.
@@ -70,67 +66,14 @@ class Equilibrium {
   }
 
  private:
-  static constexpr int batch = 32;
-
-  /// The turns at the vertices of a batch, and the logarithm's differentials there.
-  struct Turns {
-    std::array<Spin<Space>, batch> u;
-    std::array<typename Space::Differential, batch> dlog;
-  };
-
-  /// Batch by batch in short passes: one long pass would be a single chain of dependent operations,
-  /// and twice as slow. Flattened, as g++ leaves Eigen's calls as calls when it meets many models.
   template <Curvature kind>
-  [[gnu::flatten]] void linearise(const State& q, Storage& out) const {
-    const int n = rod_.edges();
-    Turns turns;
-    out.energy = out.magnitude = 0;
-    for (int first = 0; first < n; first += batch) {
-      const int end = std::min(first + batch, n);
-      measure(q, first, end, turns);
-      for (int j = first; j < end; ++j)
-        add_vertex(j,
-                   bend_twist<kind>(turns.u[j - first], turns.dlog[j - first], rod_.bending[j],
-                                    rod_.K0[j], rod_.grid.Δs(j)),
-                   out);
-      for (int j = first; j < end; ++j)
-        add_edge(
-            j,
-            section_force_term<kind, Space, Model>(q[j], force_[j], compliance_[j], rod_.grid.h(j)),
-            out);
-    }
+  void linearise(const State& q, Storage& out) const {
+    dispatch(ChainLinearisation<Space, kind>(chain_, q.data(), out));
     if (!couple_.empty()) add_couples(q, out);
   }
 
-  /// The turns at the vertices first … end − 1.
-  void measure(const State& q, int first, int end, Turns& turns) const {
-    for (int j = first; j < end; ++j)
-      turns.u[j - first] = log((j == 0 ? clamp_ : q[j - 1]).conjugate() * q[j]);
-    for (int i = 0; i < end - first; ++i) turns.dlog[i] = typename Space::Differential(turns.u[i]);
-  }
-
-  /// Vertex j: the first to write what belongs to the edge behind it, the last to add to the edge
-  /// before it. The clamp before vertex 0 does not turn.
-  static void add_vertex(int j, const TurnJet<Space>& cell, Storage& out) {
-    out.energy += cell.energy;
-    out.magnitude += cell.energy;
-    for (int i = 0; i < spin; ++i) out.gradient[spin * j + i] = cell.b[i];
-    out.hessian.set_column(j, cell.ab, cell.bb);
-    if (j == 0) return;
-    for (int i = 0; i < spin; ++i) out.gradient[spin * (j - 1) + i] += cell.a[i];
-    out.hessian.add_to_diagonal(j - 1, cell.aa);
-  }
-
-  /// Edge j, between the vertices j and j + 1.
-  static void add_edge(int j, const EdgeJet<Space>& edge, Storage& out) {
-    out.energy += edge.energy;
-    out.magnitude += std::abs(edge.energy);
-    for (int i = 0; i < spin; ++i) out.gradient[spin * j + i] += edge.gradient[i];
-    out.hessian.add_to_diagonal(j, edge.hessian);
-  }
-
   void add_couples(const State& q, Storage& out) const {
-    for (int j = 0; j < rod_.edges(); ++j) {
+    for (int j = 0; j < chain_.edges; ++j) {
       out.gradient.template segment<spin>(spin * j) -= material_couple(q, j);
       if constexpr (spin == 1) out.energy -= couple_[j][0] * q[j].radians;
     }
@@ -140,11 +83,27 @@ class Equilibrium {
     return rotate_spin(q[j].conjugate(), couple_[j]);
   }
 
-  const Rod<Space>& rod_;
-  Rotation clamp_;
-  std::vector<Point<Space>> force_;
+  static Chain<Space> chain(const Rod<Space>& rod, const Rotation& clamp,
+                            const Loads<Space>& loads) {
+    const int n = rod.edges();
+    const auto& grid = rod.grid;
+    return {n,
+            clamp,
+            Columns<spin>(n, [&](int j) { return rod.bending[j] / grid.Δs(j); }),
+            Columns<spin>(n, [&](int j) { return grid.Δs(j) * rod.K0[j]; }),
+            Columns<1>(n, [&](int j) { return Vec1(grid.h(j)); }),
+            column<dim>(n, loads.section_forces()),
+            Columns<dim>(
+                n, [&](int j) { return Compliance<Space, Model>(rod.stretching[j]).diagonal(); })};
+  }
+
+  template <int N>
+  static Columns<N> column(int count, const std::vector<Vec<N>>& items) {
+    return {count, [&](int j) { return items[j]; }};
+  }
+
+  Chain<Space> chain_;
   std::vector<Spin<Space>> couple_;  ///< empty if no couple acts
-  std::vector<Compliance<Space, Model>> compliance_;
 };
 
 }  // namespace pyrod

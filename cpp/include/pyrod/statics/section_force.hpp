@@ -8,27 +8,30 @@
 namespace pyrod {
 
 /// −h (b·e3 + ½ b·S b) with b = Rᵀn, as a function of the edge's frame.
-template <class Space>
+template <class Space, class Real = double>
 struct EdgeJet {
-  double energy;
-  Spin<Space> gradient;
-  Mat<Space::spin> hessian;
+  Real energy;
+  Spin<Space, Real> gradient;
+  Mat<Space::spin, Space::spin, Real> hessian;
 };
 
 /// Stiffness against turning away from the direction of the force: moment over angle. Never
 /// negative.
-template <class Space>
-double secant_stiffness(const Point<Space>& b, const Spin<Space>& moment) {
-  const Point<Space> e3 = axis<Space>();
-  const Spin<Space> lever = cross(b, e3);
-  const double sine = lever.norm(), ψ = std::atan2(sine, b.dot(e3));
-  if (sine == 0) return ψ == 0 ? std::max(0., b.dot(e3)) : 0;
-  return std::max(0., lever.dot(moment) / (sine * ψ));
+template <class Space, class Real = double>
+Real secant_stiffness(const Point<Space, Real>& b, const Spin<Space, Real>& moment) {
+  using std::sqrt, std::max;
+  const Point<Space, Real> e3 = axis<Space, Real>();
+  const Spin<Space, Real> lever = cross(b, e3);
+  const Real along = b[Space::dim - 1], sine = sqrt(lever.squaredNorm()), ψ = angle(sine, along);
+  const Real stiffness = select(sine == Real(0), along, lever.dot(moment) / (sine * ψ));
+  return max(Real(0), stiffness);
 }
 
 /// Γ·b I − ½ (Γ bᵀ + b Γᵀ) − [b]ᵀ S [b] for a diagonal S, per unit length.
-inline Mat3 force_stiffness(const Vec3& b, const Vec3& Γ, const Vec3& S) {
-  Mat3 H;
+template <class Real>
+Mat<3, 3, Real> force_stiffness(const Vec<3, Real>& b, const Vec<3, Real>& Γ,
+                                const Vec<3, Real>& S) {
+  Mat<3, 3, Real> H;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     H(i, i) = Γ[j] * b[j] + Γ[k] * b[k] - (S[j] * b[k] * b[k] + S[k] * b[j] * b[j]);
@@ -37,27 +40,36 @@ inline Mat3 force_stiffness(const Vec3& b, const Vec3& Γ, const Vec3& S) {
   return H;
 }
 
-inline Mat<1> force_stiffness(const Vec2& b, const Vec2& Γ, const Vec2& S) {
-  return Mat<1>(Γ.dot(b) - (S[0] * b[1] * b[1] + S[1] * b[0] * b[0]));
+template <class Real>
+Mat<1, 1, Real> force_stiffness(const Vec<2, Real>& b, const Vec<2, Real>& Γ,
+                                const Vec<2, Real>& S) {
+  return Mat<1, 1, Real>(Γ.dot(b) - (S[0] * b[1] * b[1] + S[1] * b[0] * b[0]));
 }
 
-template <Curvature kind, class Space, class Model>
-EdgeJet<Space> section_force_term(const typename Space::Rotation& frame, const Point<Space>& n,
-                                  const Compliance<Space, Model>& compliance, double h) {
-  using Block = Mat<Space::spin>;
-  const Point<Space> e3 = axis<Space>(), S = compliance.diagonal();
-  const Point<Space> b = unrotate(frame, n), strain = S.cwiseProduct(b), Γ = e3 + strain;
-  const Spin<Space> moment = cross(b, Γ);
+/// `S`: the diagonal of the compliance.
+template <Curvature kind, class Space, class Real>
+EdgeJet<Space, Real> edge_term(const typename Space::template RotationOf<Real>& frame,
+                               const Point<Space, Real>& n, const Point<Space, Real>& S,
+                               const Real& h) {
+  using Block = Mat<Space::spin, Space::spin, Real>;
+  const Point<Space, Real> e3 = axis<Space, Real>(), b = unrotate(frame, n),
+                           strain = S.cwiseProduct(b), Γ = e3 + strain;
+  const Spin<Space, Real> moment = cross(b, Γ);
 
-  EdgeJet<Space> jet{-h * b.dot(e3 + strain / 2), h * moment, Block::Zero()};
+  EdgeJet<Space, Real> jet{-h * b.dot(e3 + strain / 2), h * moment, Block::Zero()};
   if constexpr (kind == Curvature::convex) {
-    const double k = h * secant_stiffness<Space>(b, moment);
-    jet.hessian.diagonal().setConstant(k);
+    jet.hessian.diagonal().setConstant(h * secant_stiffness<Space, Real>(b, moment));
     if constexpr (Space::spin == 3) jet.hessian(2, 2) = 0;
   } else {
     jet.hessian = h * force_stiffness(b, Γ, S);
   }
   return jet;
+}
+
+template <Curvature kind, class Space, class Model>
+EdgeJet<Space> section_force_term(const typename Space::Rotation& frame, const Point<Space>& n,
+                                  const Compliance<Space, Model>& compliance, double h) {
+  return edge_term<kind, Space, double>(frame, n, compliance.diagonal(), h);
 }
 
 }  // namespace pyrod
