@@ -7,17 +7,12 @@
 /// measured by the augmented Lagrangian with the new multipliers, or by the next simplified step.
 #pragma once
 
+#include <pyrod/solve/mode.hpp>
 #include <pyrod/solve/newton.hpp>
 
 #include <optional>
 
 namespace pyrod {
-
-/// A direction in which the energy changes least, or falls most; its largest component is 1.
-struct Mode {
-  double eigenvalue = 0;
-  Vector shape;
-};
 
 template <Constrained P>
 class SaddleNewton {
@@ -32,10 +27,13 @@ class SaddleNewton {
         options_(options),
         trace_(std::move(trace)),
         weights_(problem.weights()),
-        multipliers_(int((weights_.array() == 0).count())),
         here_(problem.linearisation()),
+        multipliers_(here_.hessian, weights_),
         factor_(here_.hessian),
-        δ_(here_.gradient.size()) {
+        δ_(Vector::Zero(here_.gradient.size())),
+        primal_(δ_),
+        dual_(δ_),
+        trial_(δ_) {
     options_.check();
   }
   SaddleNewton(const SaddleNewton&) = delete;
@@ -49,7 +47,8 @@ class SaddleNewton {
     x_ = std::move(start);
     curvature_ = first;
     Result<State> result;
-    problem_.linearise(x_, curvature_, here_);
+    result.record.reserve(std::size_t(std::min(options_.max_iterations, 64)));
+    linearise();
     if (estimate) estimate_multipliers();
     result.status = iterate(result);
     result.state = std::move(x_);
@@ -75,7 +74,7 @@ class SaddleNewton {
       }
       factorise(above);
     }
-    return inverse_iteration(above);
+    return inverse_iteration(here_.hessian, factor_, weights_, multipliers_, above, 100);
   }
 
   /// Whether the state that was solved for last can move without any change of energy, to first
@@ -84,7 +83,7 @@ class SaddleNewton {
   std::optional<Mode> neutral_mode() {
     factorise(0);
     if (inertia_.broken > 0) return std::nullopt;
-    const Mode mode = inverse_iteration(0, 2);
+    const Mode mode = inverse_iteration(here_.hessian, factor_, weights_, multipliers_, 0, 2);
     if (!(std::abs(mode.eigenvalue) < 3e-6 * problem_.unit_energy())) return std::nullopt;
     return mode;
   }
@@ -97,20 +96,33 @@ class SaddleNewton {
  private:
   /// Whether steps lead downhill on the constraints.
   bool downhill() const { return problem_.conservative() && (minimum_ || index() == 0); }
-  int index() const { return inertia_.negative - multipliers_; }
+  int index() const { return inertia_.negative - multipliers_.count(); }
   /// The last factor is of the state before the last step, whose multipliers may have been others.
   int final_index() { return factorise(0), index(); }
-  double residual() const { return here_.gradient.template lpNorm<Eigen::Infinity>(); }
+  double residual() const { return largest(here_.gradient); }
+  static double largest(const Vector& v) { return v.template lpNorm<Eigen::Infinity>(); }
+
+  void linearise() {
+    problem_.linearise(x_, curvature_, here_);
+    factorised_.reset();
+  }
+
+  void split_step() {
+    primal_ = δ_;
+    multipliers_.set(0, primal_);
+  }
 
   /// The multipliers' part of a step that the gaps of the constraints do not ask for.
   void estimate_multipliers() {
     factorise(problem_.unit_energy());
-    if (multipliers_ == 0 || inertia_.broken > 0) return;
-    δ_ = -primal(here_.gradient);
-    factor_.solve(δ_, δ_);
-    from_ = x_;
-    problem_.move(from_, δ_ - primal(δ_), x_);
-    problem_.linearise(x_, curvature_, here_);
+    if (multipliers_.count() == 0 || inertia_.broken > 0) return;
+    trial_ = -here_.gradient;
+    multipliers_.set(0, trial_);
+    factor_.solve(trial_, δ_);
+    multipliers_.copy(δ_, dual_);
+    std::swap(x_, from_);
+    problem_.move(from_, dual_, x_);
+    linearise();
   }
 
   Status iterate(Result<State>& result) {
@@ -143,7 +155,8 @@ class SaddleNewton {
     const bool potential = problem_.conservative();
     if (std::isfinite(now.step) && curvature_ == Curvature::exact && !potential) {
       correct(x_, δ_);
-      now.step = primal(δ_).template lpNorm<Eigen::Infinity>();
+      split_step();
+      now.step = largest(primal_);
     }
     if (std::isfinite(now.step) &&
         (!potential || !minimum_ || index() == 0 || now.step <= options_.tolerance ||
@@ -170,27 +183,28 @@ class SaddleNewton {
     now.shift = σ;
     now.step = std::numeric_limits<double>::infinity();
     if (inertia_.broken > 0) return;
-    δ_ = -here_.gradient;
-    factor_.solve(δ_, δ_);
-    if (δ_.allFinite()) now.step = primal(δ_).template lpNorm<Eigen::Infinity>();
+    factor_.solve(here_.gradient, δ_);
+    δ_ = -δ_;
+    split_step();
+    if (δ_.allFinite()) now.step = largest(primal_);
   }
 
   /// Besides σ there is always a shift far below what matters: it keeps the factorisation from
   /// breaking where a part turns freely (primal rows), or cannot stretch and is straight
   /// (multipliers).
   void factorise(double σ) {
+    if (factorised_ == σ) return;
     const double unit = problem_.unit_energy();
-    const Vector added = (weights_.array() > 0).select((σ + 1e-6 * unit) * weights_, -1e-10 * unit);
-    inertia_ = factor_.factorise(here_.hessian, added);
+    shift_ = (σ + 1e-6 * unit) * weights_;
+    multipliers_.set(-1e-10 * unit, shift_);
+    inertia_ = factor_.factorise(here_.hessian, shift_);
+    factorised_ = σ;
   }
-
-  /// The part that belongs to no multiplier, the rest set to zero.
-  Vector primal(const Vector& v) const { return (weights_.array() > 0).select(v, 0); }
 
   /// Whether the step does what the system asks of it. On the constraints by themselves, too: where
   /// they cannot be met, the multipliers grow until beside them no gap counts.
   bool accurate() {
-    Vector left(δ_.size());
+    Vector& left = trial_;
     here_.hessian.multiply(δ_, left);
     left += here_.gradient;
     if (!problem_.conservative()) {
@@ -198,28 +212,8 @@ class SaddleNewton {
       problem_.multiply_skew(x_, δ_, skew);
       left += skew;
     }
-    const double gap_left = (left - primal(left)).template lpNorm<Eigen::Infinity>();
-    return left.template lpNorm<Eigen::Infinity>() <= 1e-2 * residual() + problem_.rounding() &&
-           gap_left <= 1e-2 * std::sqrt(gap()) + problem_.rounding();
-  }
-
-  Mode inverse_iteration(double σ, int steps = 100) {
-    Mode mode;
-    Vector v = primal(Vector::LinSpaced(δ_.size(), 0.3, 1.7).array().sin().matrix()), Kv(v.size());
-    for (int i = 0; i < steps; ++i) {
-      const double before = mode.eigenvalue;
-      factor_.solve(weights_.cwiseProduct(v), v);
-      const Vector p = primal(v);
-      const double size = std::sqrt(p.dot(weights_.cwiseProduct(p)));
-      v /= size;
-      mode.shape = primal(v);
-      here_.hessian.multiply(v, Kv);
-      mode.eigenvalue = v.dot(Kv);
-      if (i > 3 && std::abs(mode.eigenvalue - before) <= 1e-10 * (std::abs(mode.eigenvalue) + σ))
-        break;
-    }
-    mode.shape /= mode.shape.template lpNorm<Eigen::Infinity>();
-    return mode;
+    return largest(left) <= 1e-2 * residual() + problem_.rounding() &&
+           multipliers_.largest(left) <= 1e-2 * std::sqrt(gap()) + problem_.rounding();
   }
 
   /// The augmented Lagrangian along the step, with multipliers that are new already: its value and
@@ -229,31 +223,36 @@ class SaddleNewton {
   };
 
   Merit merit() {
-    const Vector p = primal(δ_), f = δ_ - p;
-    Vector change(δ_.size());
-    here_.hessian.multiply(f, change);
-    const double value = here_.energy + f.dot(here_.gradient + change / 2);
-    const Vector g = here_.gradient + change, along = primal(g);
-    const double slope = along.dot(p), gap = (g - along).squaredNorm();
+    Vector& change = trial_;  // of the gradient, by the multipliers
+    multipliers_.copy(δ_, dual_);
+    multipliers_.multiply(here_.hessian, dual_, change);
+    double value = here_.energy, gap = 0;
+    for (const int k : multipliers_.rows()) {
+      const double g = here_.gradient[k];
+      value += δ_[k] * (g + change[k] / 2);
+      gap += (g + change[k]) * (g + change[k]);
+    }
+    const double slope = here_.gradient.dot(primal_) + change.dot(primal_);
     const double ν = std::max(10 / problem_.unit_energy(), gap > 0 ? 2 * slope / gap : 0.);
     return {value + ν / 2 * gap, slope - ν * gap, ν};
   }
 
   /// The constraints hold so well that the multipliers are not about to change much.
   bool met() const { return std::sqrt(gap()) <= 1e-6 * problem_.unit_energy(); }
-  double gap() const { return (here_.gradient - primal(here_.gradient)).squaredNorm(); }
+  double gap() const { return multipliers_.squared_norm(here_.gradient); }
 
   bool search(Iteration& now, bool tiny) {
     const Merit before = downhill() && !tiny ? merit() : Merit{0, 0, 0};
     const double magnitude = here_.magnitude;
-    const Vector p = primal(δ_), f = δ_ - p;
-    const double length = p.norm();
+    const double length = primal_.norm();
     std::swap(x_, from_);
     now.fraction = curvature_ == Curvature::exact ? std::min(1., options_.trust / now.step) : 1;
     for (; now.fraction > 1e-6; now.fraction /= 2) {
       if (tiny || now.fraction * now.step < options_.near) curvature_ = Curvature::exact;
-      problem_.move(from_, now.fraction * p + f, x_);
-      problem_.linearise(x_, curvature_, here_);
+      trial_ = now.fraction * primal_;
+      multipliers_.copy(δ_, trial_);
+      problem_.move(from_, trial_, x_);
+      linearise();
       if (tiny) return true;
       if (!std::isfinite(here_.energy)) continue;
       const double rounding = 1e-13 * (magnitude + here_.magnitude);
@@ -263,7 +262,7 @@ class SaddleNewton {
       if (now.shift == 0 && (contracts(now, length) || settles(now))) return true;
     }
     std::swap(x_, from_);
-    problem_.linearise(x_, curvature_, here_);
+    linearise();
     return false;
   }
 
@@ -276,10 +275,10 @@ class SaddleNewton {
   /// The Newton step at the new state, measured with the old matrix, is shorter.
   bool contracts(const Iteration& now, double length) {
     if (!here_.gradient.allFinite()) return false;
-    Vector next(δ_.size());
-    factor_.solve(here_.gradient, next);
-    if (now.curvature == Curvature::exact && !problem_.conservative()) correct(from_, next);
-    return primal(next).norm() <= (1 - now.fraction / 4) * length;
+    factor_.solve(here_.gradient, trial_);
+    if (now.curvature == Curvature::exact && !problem_.conservative()) correct(from_, trial_);
+    multipliers_.set(0, trial_);
+    return trial_.norm() <= (1 - now.fraction / 4) * length;
   }
 
   const P& problem_;
@@ -287,12 +286,14 @@ class SaddleNewton {
   Options options_;
   Trace trace_;
   Vector weights_;
-  int multipliers_;
   LinearisationOf<P> here_;
+  Multipliers multipliers_;
   Cholesky factor_;
   Inertia inertia_;
+  std::optional<double> factorised_;  ///< the shift with which `here_` is factorised
   State x_, from_;
-  Vector δ_;
+  Vector δ_, primal_, dual_;  ///< the step, without the multipliers, and of these alone
+  Vector trial_, shift_;
   Curvature curvature_ = Curvature::convex;
 };
 

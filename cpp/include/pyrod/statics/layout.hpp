@@ -26,6 +26,8 @@ class Layout : public KnownForces<Space> {
   int turn_block(int node) const { return turn_block_[node]; }
   int place_block(int node) const { return place_block_[node]; }
   int hinge_block(int hinge) const { return hinge_block_[hinge]; }
+  /// Blocks before it belong to spans.
+  int first_node_block() const { return first_node_block_; }
   const std::vector<int>& sizes() const { return sizes_; }
   const std::vector<std::vector<int>>& above() const { return above_; }
   double unit_length() const { return length_; }
@@ -67,6 +69,7 @@ class Layout : public KnownForces<Space> {
         above_[span.block].push_back(frame_block_[edge(span.rod, j)]);
     }
     couple_through_nodes();
+    first_node_block_ = int(sizes_.size());
     for (const int v : node_order()) number_node(v);
     couple_with_nodes();
   }
@@ -139,6 +142,7 @@ class Layout : public KnownForces<Space> {
 
   std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_, sizes_;
   std::vector<std::vector<int>> above_;
+  int first_node_block_ = 0;
   double length_ = 1, force_ = 1;
 };
 

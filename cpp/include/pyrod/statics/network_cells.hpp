@@ -84,38 +84,51 @@ class NetworkCells : public NetworkSkew<Space> {
     const Spin<Space>& g = before ? jet.b : jet.a;
     const Mat<spin>& H = before ? jet.bb : jet.aa;
     const Mat<spin> mixed = before ? jet.ab : Mat<spin>(jet.ab.transpose());  // edge × node
-    const auto turns = own_turns(x, a);  // of the held frame, per unknown of the node
+    const Mat<spin> turns = own_turns(x, a);  // of the held frame, per unknown of the node
     if (a.hinge) add_hinge<kind>(a, g, H, mixed, turns, q, v, out);
     if (v < 0) return;
-    out.gradient.segment(first_[v], turns.cols()) += turns.transpose() * g;
-    out.hessian.add_diagonal(v, Eigen::MatrixXd(turns.transpose() * H * turns));
-    out.hessian.add(q, v, Eigen::MatrixXd(mixed * turns));
+    add_to_rows(v, Spin<Space>(turns.transpose() * g), out);
+    out.hessian.add_diagonal(v, Mat<spin>(turns.transpose() * H * turns));
+    out.hessian.add(q, v, Mat<spin>(mixed * turns));
+  }
+
+  /// The leading part, as much as the block has, goes to the gradient.
+  template <int N>
+  void add_to_rows(int block, const Vec<N>& part, Storage& out) const {
+    const int size = layout_.sizes()[block];
+    out.gradient.segment(first_[block], size) += part.head(size);
+  }
+
+  /// Directions as a matrix of fixed size: columns that are missing are zero.
+  template <int N>
+  static Mat<N> padded(const Directions<N>& A) {
+    Mat<N> out = Mat<N>::Zero();
+    out.leftCols(A.cols()) = A;
+    return out;
   }
 
   /// The held frame F moves as F ← F exp(α) exp(β) with α from the node and β = δ b from the hinge,
   /// whose logarithm is α + β + ½ α × β: the product couples the two by what the cell exerts.
   template <Curvature kind>
   void add_hinge(const Attachment<Space>& a, const Spin<Space>& g, const Mat<spin>& H,
-                 const Mat<spin>& mixed, const Directions<spin>& turns, int q, int v,
-                 Storage& out) const {
+                 const Mat<spin>& mixed, const Mat<spin>& turns, int q, int v, Storage& out) const {
     const int w = layout_.hinge_block(a.hinge_number);
     const Spin<Space> b = rotate_spin(a.relative.conjugate(), *a.hinge), Hb = H * b;
     out.gradient[first_[w]] += b.dot(g);
     out.hessian.add_diagonal(w, Mat<1>(b.dot(Hb)));
-    out.hessian.add(q, w, Eigen::MatrixXd(mixed * b));
+    out.hessian.add(q, w, Spin<Space>(mixed * b));
     if (v < 0) return;
     Spin<Space> coupling = Hb;
     if constexpr (kind == Curvature::exact) coupling += spin_skew(b) * g / 2;
-    out.hessian.add(w, v, Eigen::MatrixXd((turns.transpose() * coupling).transpose()));
+    out.hessian.add(w, v, Eigen::Matrix<double, 1, spin>(coupling.transpose() * turns));
   }
 
   /// The rod's own frame at the node turns by Eᵀ φ if the node turns by φ, E leading from the one
   /// to the other.
-  Directions<spin> own_turns(const State& x, const Attachment<Space>& a) const {
+  Mat<spin> own_turns(const State& x, const Attachment<Space>& a) const {
     const Rotation back = held_frame(x, a).conjugate() * x.node_frames[a.node];
-    Directions<spin> out = net_.nodes[a.node].turns;
-    for (Eigen::Index i = 0; i < out.cols(); ++i)
-      out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
+    Mat<spin> out = padded<spin>(net_.nodes[a.node].turns);
+    for (int i = 0; i < spin; ++i) out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
     return out;
   }
 };

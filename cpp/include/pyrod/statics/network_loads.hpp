@@ -27,10 +27,10 @@ class NetworkLoads {
   /// Lets only a part of all loads act.
   void load(double part) {
     part_ = part;
-    dead_ = layout_.dead_forces();
-    for (auto& rod : dead_)
+    dead_.vertices = layout_.dead_forces();
+    for (auto& rod : dead_.vertices)
       for (auto& F : rod) F *= part;
-    known_ = layout_.known_forces(dead_, part);
+    tell(dead_, part);
     find_couples();
   }
 
@@ -43,20 +43,9 @@ class NetworkLoads {
   };
 
   Forces forces(const State& x) const {
-    Forces out{forces_on_vertices(x), {}, {}};
-    out.nodes = layout_.on_nodes(out.vertices, part_);
-    out.sections = spread(x.forces, follows_ ? layout_.known_forces(out.vertices, part_) : known_,
-                          out.vertices);
-    return out;
-  }
-
-  /// All that acts on the vertices now.
-  VertexForces<Space> forces_on_vertices(const State& x) const {
-    auto out = dead_;
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
-      for (const auto& f : net_.loads[rod].following_forces)
-        out[rod][f.vertex] += part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
-    return out;
+    Acting changed;
+    const Acting& now = acting(x, changed);
+    return {now.vertices, now.nodes, spread(x.forces, now)};
   }
 
   /// The dead couple on an edge, with that of an end that turns freely.
@@ -69,17 +58,41 @@ class NetworkLoads {
   const Layout<Space>& layout() const { return layout_; }
 
  protected:
-  /// From the force in the first edge of each span to all edges: what acts on vertices in between
-  /// is taken off.
-  std::vector<Point<Space>> spread(const std::vector<Point<Space>>& open,
-                                   const std::vector<Point<Space>>& known,
-                                   const VertexForces<Space>& loads) const {
+  /// Forces on vertices and nodes, and what they make of every span: what is known of the section
+  /// force in its first edge, and by how much it is less in the last.
+  struct Acting {
+    VertexForces<Space> vertices;
+    std::vector<Point<Space>> nodes, known, drop;
+  };
+
+  /// What acts at x: it is kept in `changed` if it is more than the dead loads.
+  const Acting& acting(const State& x, Acting& changed) const {
+    if (!follows_) return dead_;
+    changed.vertices = dead_.vertices;
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+      for (const auto& f : net_.loads[rod].following_forces)
+        changed.vertices[rod][f.vertex] +=
+            part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
+    tell(changed, part_);
+    return changed;
+  }
+
+  /// Finds what the forces on vertices make of nodes and spans, of the nodes' own loads `own`.
+  void tell(Acting& now, double own) const {
+    now.nodes = layout_.on_nodes(now.vertices, own);
+    now.known = layout_.known_forces(now.vertices, own);
+    now.drop.clear();
+    for (const auto& span : layout_.spans()) now.drop.push_back(layout_.inside(span, now.vertices));
+  }
+
+  /// From the force in the first edge of each span to all edges.
+  std::vector<Point<Space>> spread(const std::vector<Point<Space>>& open, const Acting& now) const {
     std::vector<Point<Space>> n(layout_.edges());
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
-      Point<Space> f = open[p] + known[p];
+      Point<Space> f = open[p] + now.known[p];
       for (int j = span.first; j < span.last; ++j) {
-        if (j > span.first) f -= loads[span.rod][j];
+        if (j > span.first) f -= now.vertices[span.rod][j];
         n[layout_.edge(span.rod, j)] = f;
       }
     }
@@ -88,7 +101,7 @@ class NetworkLoads {
 
   const Layout<Space>& layout_;
   const Network<Space>& net_;
-  VertexForces<Space> dead_;
+  Acting dead_;
   std::vector<std::pair<int, Spin<Space>>> edge_couples_;       ///< spatial, on edges
   std::vector<std::pair<int, Spin<Space>>> following_couples_;  ///< material, on edges
   std::vector<Spin<Space>> node_moment_, node_following_;       ///< spatial; material
@@ -139,8 +152,6 @@ class NetworkLoads {
         layout_.edge(rod, n - 1),
         transmitted_moment<Space>(u, r.bending[n], r.K0[n], r.grid.Δs(n)));
   }
-
-  std::vector<Point<Space>> known_;
 };
 
 }  // namespace pyrod

@@ -139,14 +139,7 @@ NetworkRun<Space> run(const Network<Spatial>& net, const Clamp& at,
     auto state = Start<Space>(solver.layout()).state();
     require_count(Eigen::Index(start->frames.size()), solver.layout().edges(), "start",
                   "one frame per edge");
-    for (std::size_t j = 0; j < start->frames.size(); ++j) {
-      const auto q = restrict_rotation<Space>(here.frame.conjugate() * start->frames[j]);
-      if constexpr (Space::spin == 1)  // go on from the angle before, not from zero
-        state.frames[j] =
-            j == 0 ? q : state.frames[j - 1] * principal(state.frames[j - 1].conjugate() * q);
-      else
-        state.frames[j] = q;
-    }
+    state.frames = restricted<Space>(start->frames, here.frame);
     for (std::size_t v = 0; v < start->positions.size(); ++v) {
       if (solver.layout().network().nodes[v].free.cols() > 0)
         state.positions[v] =
@@ -159,7 +152,11 @@ NetworkRun<Space> run(const Network<Spatial>& net, const Clamp& at,
   } else {
     out.result = solver.solve();
   }
-  for (const auto& rod : out.result.solution.rods) out.rods.push_back(placed(rod, here));
+  for (const auto& rod : out.result.solution.rods) {
+    const std::size_t i = out.rods.size();
+    out.rods.push_back(placed(rod, here));
+    see_vertices(out.rods[i], net.rods[i], out.rods[i].force, net.loads[i]);
+  }
   for (const auto& v : out.result.solution.nodes)
     out.nodes.push_back({here.position + rotate(here.frame, embed(v.position)),
                          rotate(here.frame, embed(v.reaction_force)), here.frame * embed(v.frame),

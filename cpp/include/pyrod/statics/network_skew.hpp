@@ -44,7 +44,7 @@ class NetworkSkew : public NetworkLoads<Space> {
   const Compliance<Space, Cosserat>& compliance(int edge) const { return compliance_[edge]; }
 
  protected:
-  using Base::forces, Base::spread;
+  using Base::forces, Base::spread, Base::tell;
   using Base::layout_, Base::net_, Base::dead_, Base::edge_couples_, Base::following_couples_;
   using Base::node_moment_, Base::node_following_, Base::part_, Base::follows_, Base::couples_;
 
@@ -60,23 +60,24 @@ class NetworkSkew : public NetworkLoads<Space> {
   }
 
   void add_following_skew(const State& x, const Vector& v, Vector& out) const {
-    VertexForces<Space> change = dead_;
-    for (auto& rod : change) std::fill(rod.begin(), rod.end(), Point<Space>::Zero());
+    typename Base::Acting change;
+    change.vertices = dead_.vertices;
+    for (auto& rod : change.vertices) std::fill(rod.begin(), rod.end(), Point<Space>::Zero());
     const auto turn_of = [&](int e) {
       return Spin<Space>(v.segment<spin>(first_[layout_.frame_block(e)]));
     };
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
       for (const auto& f : net_.loads[rod].following_forces) {
         const int e = layout_.edge(rod, f.edge);
-        change[rod][f.vertex] -=
+        change.vertices[rod][f.vertex] -=
             part_ * rotate(x.frames[e], Point<Space>(skew(f.force) * turn_of(e)));
       }
     }
     for (const auto& [edge, m] : following_couples_)  // +½ [M]
       out.segment<spin>(first_[layout_.frame_block(edge)]) -= spin_skew(turn_of(edge)) * m / 2;
-    const auto node_change = layout_.on_nodes(change, 0);
+    tell(change, 0);
     const std::vector<Point<Space>> none(layout_.spans().size(), Point<Space>::Zero());
-    const auto dn = spread(none, layout_.known_forces(change, 0), change), n = forces(x).sections;
+    const auto dn = spread(none, change), n = forces(x).sections;
     for (const auto& span : layout_.spans()) {
       Point<Space> reach = Point<Space>::Zero();
       for (int j = span.first; j < span.last; ++j) {
@@ -93,7 +94,7 @@ class NetworkSkew : public NetworkLoads<Space> {
     }
     for (int node = 0; node < int(net_.nodes.size()); ++node)
       if (const int b = layout_.place_block(node); b >= 0) {
-        Point<Space> balance = -node_change[node];
+        Point<Space> balance = -change.nodes[node];
         for (const auto& [p, end] : layout_.spans_at(node)) {
           const auto& span = layout_.spans()[p];
           if (end)

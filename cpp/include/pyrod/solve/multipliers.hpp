@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The rows of a saddle that belong to multipliers, few among many.
+#pragma once
+
+#include <pyrod/sparse/symmetric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pyrod {
+
+class Multipliers {
+ public:
+  /// Those of the matrix K whose weight is zero.
+  Multipliers(const SymmetricMatrix& K, const Vector& weights) {
+    const auto is_one = [&](int i) { return weights[i] == 0; };
+    for (int k = 0; k < K.size(); ++k) {
+      if (is_one(k)) rows_.push_back(k);
+      const auto first = K.rows.begin() + K.starts[k], end = K.rows.begin() + K.starts[k + 1];
+      if (std::any_of(first, end, is_one)) columns_.push_back(k);
+    }
+  }
+
+  int count() const { return int(rows_.size()); }
+  const std::vector<int>& rows() const { return rows_; }
+
+  void set(double value, Vector& v) const {
+    for (const int k : rows_) v[k] = value;
+  }
+  void copy(const Vector& from, Vector& to) const {
+    for (const int k : rows_) to[k] = from[k];
+  }
+
+  double squared_norm(const Vector& v) const {
+    double sum = 0;
+    for (const int k : rows_) sum += v[k] * v[k];
+    return sum;
+  }
+  double largest(const Vector& v) const {
+    double out = 0;
+    for (const int k : rows_) out = std::max(out, std::abs(v[k]));
+    return out;
+  }
+
+  /// out = K f, where f is zero but for multipliers. Most columns have no entry for them.
+  void multiply(const SymmetricMatrix& K, const Vector& f, Vector& out) const {
+    K.multiply(f, columns_, out);
+  }
+
+ private:
+  std::vector<int> rows_, columns_;
+};
+
+}  // namespace pyrod

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file A network on the levels of the accuracy ladder.
+#pragma once
+
+#include <pyrod/statics/ladder.hpp>
+#include <pyrod/statics/prolongation.hpp>
+
+namespace pyrod {
+
+/// A network on one level, and the plane it is in if its space is one.
+struct PlacedNetwork {
+  const Network<Spatial>& network;
+  Clamp plane;
+};
+
+template <class Space>
+class NetworkLevels {
+ public:
+  /// `source` gives the network of a level, whose edges are those of level 0 cut in 2ᵏ; it keeps it
+  /// until the next call.
+  explicit NetworkLevels(std::function<PlacedNetwork(int level)> source)
+      : source_(std::move(source)) {}
+
+  /// One level of a climb: from the level below if that was solved, else from `start`, if any.
+  SceneSolution solve(int level, bool from_below, const std::optional<NetworkStart>& start,
+                      const Options& options, const NetworkOptions& more, const Trace& trace) {
+    const auto [network, plane] = source_(level);
+    if (!from_below) prolonged_.assign(network.rods.size(), {});
+    auto out = scene_solution(
+        run<Space>(network, plane, from_below ? refined() : start, options, more, trace));
+    below_ = {};
+    grids_.clear();
+    for (std::size_t i = 0; i < out.rods.size(); ++i) {
+      below_.push_back(out.rods[i].curve.frames);
+      grids_.push_back(network.rods[i].grid);
+      out.rods[i] = seen(out.rods[i], 1 << level);
+    }
+    nodes_ = out.nodes;
+    if (!out.mode.empty()) out.mode = thinned(out.mode, 1 << level);
+    return out;
+  }
+
+ private:
+  NetworkStart refined() {
+    NetworkStart out;
+    for (std::size_t i = 0; i < grids_.size(); ++i) {
+      prolonged_[i] = prolonged(grids_[i], below_[i], prolonged_[i]);
+      const auto& frames = prolonged_[i].start;
+      out.frames.insert(out.frames.end(), frames.begin(), frames.end());
+    }
+    for (const auto& node : nodes_) {
+      out.positions.push_back(node.position);
+      out.node_frames.push_back(node.frame);
+    }
+    return out;
+  }
+
+  /// A mode on the edges of level 0: the mean of the two at each centre.
+  static std::vector<Vec3> thinned(const std::vector<Vec3>& mode, int stride) {
+    std::vector<Vec3> out;
+    for (std::size_t j = std::size_t(stride / 2); j < mode.size(); j += std::size_t(stride))
+      out.push_back((mode[j] + mode[j - (stride > 1)]) / 2);
+    return out;
+  }
+
+  std::function<PlacedNetwork(int)> source_;
+  std::vector<std::vector<Quaternion>> below_;
+  std::vector<Prolonged<Quaternion>> prolonged_;
+  std::vector<Grid> grids_;
+  std::vector<NodeSolution<Spatial>> nodes_;
+};
+
+}  // namespace pyrod
