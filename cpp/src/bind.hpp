@@ -24,6 +24,8 @@ void arc(py::module_& module);
 void rod(py::module_& module);
 void statics(py::module_& module);
 void network(py::module_& module);
+void ladder(py::module_& module);
+void job(py::module_& module);
 
 inline std::string shape_of(const Array& a) {
   return py::str(py::tuple(a.attr("shape"))).cast<std::string>();

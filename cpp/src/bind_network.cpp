@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "statics.hpp"
+#include "job.hpp"
 
 #include <pyrod/statics/network_run.hpp>
 
@@ -37,65 +37,19 @@ int add_node(Network<Spatial>& net, const Array& position, const Array& free, co
   return int(net.nodes.size()) - 1;
 }
 
-template <class Space>
-py::dict results(const Network<Spatial>& net, const NetworkRun<Space>& run) {
-  const auto& r = run.result;
-  py::dict out;
-  py::list rods;
-  for (std::size_t i = 0; i < run.rods.size(); ++i)
-    rods.append(rod_results(net.rods[i].grid, run.rods[i]));
-  out["rods"] = py::tuple(rods);
-  std::vector<Vec3> position, force, moment;
-  std::vector<Quaternion> frame;
-  for (std::size_t v = 0; v < net.nodes.size(); ++v) {
-    position.push_back(run.nodes[v].position);
-    force.push_back(run.nodes[v].reaction_force);
-    moment.push_back(run.nodes[v].reaction_moment);
-    frame.push_back(run.nodes[v].frame);
-  }
-  out["node_positions"] = array<3>(position);
-  out["node_frames"] = array(frame);
-  out["reaction_forces"] = array<3>(force);
-  out["reaction_moments"] = array<3>(moment);
-  add_status(out, r.status, r.record);
-  out["index"] = r.index;
-  out["residual"] = r.residual;
-  out["load_steps"] = r.load_steps;
-  out["descents"] = r.descents;
-  out["unknowns"] = r.unknowns;
-  out["multipliers"] = r.multipliers;
-  out["fill"] = r.fill;
-  out["lowest_eigenvalue"] = r.lowest_eigenvalue;
-  out["neutral"] = r.neutral;
-  std::vector<Vec3> mode;
-  for (const auto& φ : r.mode) mode.push_back(embed_spin(φ));
-  out["mode"] = array<3>(mode);
-  return out;
-}
-
-std::optional<NetworkStart> start_of(const std::optional<py::tuple>& given) {
-  if (!given) return std::nullopt;
-  return NetworkStart{quaternions((*given)[0].cast<Array>(), "start"),
-                      vectors<3>((*given)[1].cast<Array>(), "start"),
-                      quaternions((*given)[2].cast<Array>(), "start")};
-}
-
-py::dict solve_network(const Network<Spatial>& net, Dimension dimension, const Array& origin,
-                       const Array& frame, const std::optional<py::tuple>& start,
-                       const Options& options, bool stable, bool eigenvalue,
-                       const std::optional<py::function>& trace) {
+Job network_job(const py::object& self, Dimension dimension, const Array& origin,
+                const Array& frame, const std::optional<py::tuple>& start, const Options& options,
+                bool stable, bool eigenvalue) {
+  const auto& net = self.cast<const Network<Spatial>&>();
   const Clamp at{vector3(origin, "origin"), quaternion(frame, "frame")};
   const auto from = start_of(start);
-  const auto show = python_trace(trace);
   const NetworkOptions more{stable, eigenvalue};
-  const auto solved = [&]<class Space>(Space) {
-    const auto done = [&] {
-      const py::gil_scoped_release release;
-      return run<Space>(net, at, from, options, more, show);
-    }();
-    return results(net, done);
+  const auto work = [=, &net](const Trace& trace) -> Outcome {
+    return in_space(dimension, [&]<class Space>(Space) -> Outcome {
+      return {scene_solution(run<Space>(net, at, from, options, more, trace)), {}};
+    });
   };
-  return dimension == Dimension::planar ? solved(Planar{}) : solved(Spatial{});
+  return {work, {self}};
 }
 
 }  // namespace
@@ -124,9 +78,8 @@ void network(py::module_& module) {
           },
           py::arg("rod"), py::arg("vertex"), py::arg("node"), py::arg("rigid"), py::arg("relative"),
           py::arg("turns"), py::arg("hinge"))
-      .def("solve", &solve_network, py::arg("dimension"), py::arg("origin"), py::arg("frame"),
-           py::arg("start"), py::arg("options"), py::arg("stable"), py::arg("eigenvalue"),
-           py::arg("trace"));
+      .def("job", &network_job, py::arg("dimension"), py::arg("origin"), py::arg("frame"),
+           py::arg("start"), py::arg("options"), py::arg("stable"), py::arg("eigenvalue"));
 }
 
 }  // namespace pyrod::bind

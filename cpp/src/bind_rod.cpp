@@ -19,15 +19,8 @@ py::tuple columns(Eigen::SparseMatrix<double> H) {
 
 EnergyJet energy_of(const Rod<Spatial>& rod, ModelKind model, const CosseratCurve<Spatial>& curve,
                     HeldEnds held) {
-  switch (model) {
-    case ModelKind::cosserat:
-      return energy<Spatial, Cosserat>(rod, curve, held);
-    case ModelKind::extensible:
-      return energy<Spatial, ExtensibleKirchhoff>(rod, curve, held);
-    case ModelKind::inextensible:
-      break;
-  }
-  return energy<Spatial, InextensibleKirchhoff>(rod, curve, held);
+  return with_model(model,
+                    [&]<class Model>(Model) { return energy<Spatial, Model>(rod, curve, held); });
 }
 
 }  // namespace
@@ -38,9 +31,13 @@ void rod(py::module_& module) {
       .value("extensible", ModelKind::extensible)
       .value("inextensible", ModelKind::inextensible);
 
+  // sides: one (4, 3) for each jump, bending stiffness and rest curvature before, and behind
   py::class_<Rod<Spatial>>(module, "Rod")
       .def(py::init([](const Array& h, const Array& bending, const Array& stretching,
-                       const Array& K0) {
+                       const Array& K0, const std::vector<int>& jumps, const Array& sides) {
+             require(sides.ndim() == 3 && sides.shape(0) == py::ssize_t(jumps.size()) &&
+                         sides.shape(1) == 4 && sides.shape(2) == 3,
+                     "sides: expected shape (", jumps.size(), ", 4, 3), got ", shape_of(sides));
              require(stretching.ndim() == 2 && stretching.shape(1) == 3,
                      "stretching: expected an array of shape (n, 3), got ", shape_of(stretching));
              Rod<Spatial> rod{Grid(numbers(h, "edge_lengths")),
@@ -49,10 +46,15 @@ void rod(py::module_& module) {
                               vectors<3>(K0, "K0")};
              for (py::ssize_t j = 0; j < stretching.shape(0); ++j)  // may be infinite
                rod.stretching.emplace_back(Eigen::Map<const Vec3>(stretching.data(j, 0)));
+             for (std::size_t i = 0; i < jumps.size(); ++i) {
+               const auto side = [&](int k) { return Vec3(sides.data(py::ssize_t(i), k, 0)); };
+               rod.jumps.push_back({jumps[i], side(0), side(1), side(2), side(3)});
+             }
              rod.check();
              return rod;
            }),
-           py::arg("edge_lengths"), py::arg("bending"), py::arg("stretching"), py::arg("K0"))
+           py::arg("edge_lengths"), py::arg("bending"), py::arg("stretching"), py::arg("K0"),
+           py::arg("jumps"), py::arg("sides"))
       .def(
           "at_rest",
           [](const Rod<Spatial>& rod, const Array& r0, const Array& q0) {

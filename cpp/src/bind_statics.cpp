@@ -1,61 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "statics.hpp"
+#include "job.hpp"
 
 namespace pyrod::bind {
-
-py::dict record(const std::vector<Iteration>& lines) {
-  const auto column = [&](auto&& value) {
-    using T = std::decay_t<decltype(value(lines[0]))>;
-    py::array_t<T> out{py::ssize_t(lines.size())};
-    for (std::size_t i = 0; i < lines.size(); ++i) out.mutable_at(py::ssize_t(i)) = value(lines[i]);
-    return out;
-  };
-  using I = Iteration;
-  py::dict out;
-  out["exact"] = column([](const I& i) { return i.curvature == Curvature::exact; });
-  out["energy"] = column([](const I& i) { return i.energy; });
-  out["residual"] = column([](const I& i) { return i.residual; });
-  out["step"] = column([](const I& i) { return i.step; });
-  out["fraction"] = column([](const I& i) { return i.fraction; });
-  out["shift"] = column([](const I& i) { return i.shift; });
-  out["factorisations"] = column([](const I& i) { return i.factorisations; });
-  return out;
-}
-
-py::dict rod_results(const Grid& grid, const RodSolution<Spatial>& s) {
-  py::dict out;
-  out["positions"] = array<3>(s.curve.positions);
-  out["frames"] = array(s.curve.frames);
-  out["vertex_frames"] = array(vertex_frames(grid, s.curve));
-  out["K"] = array<3>(s.strains.K);
-  out["Gamma"] = array<3>(s.strains.Γ);
-  out["force"] = array<3>(s.force);
-  out["material_force"] = array<3>(s.material_force);
-  out["moment"] = array<3>(s.moment);
-  out["material_moment"] = array<3>(s.material_moment);
-  out["load"] = array<3>(s.load);
-  out["load_moment"] = array<3>(s.load_moment);
-  out["bend_twist_energy"] = s.bend_twist_energy;
-  out["stretch_shear_energy"] = s.stretch_shear_energy;
-  return out;
-}
-
-void add_status(py::dict& out, Status status, const std::vector<Iteration>& lines) {
-  out["status"] = std::string(name(status));
-  out["advice"] = std::string(advice(status));
-  out["record"] = record(lines);
-}
-
-/// Looks for Ctrl-C once per iteration and shows the iteration to Python, if that is wanted.
-Trace python_trace(const std::optional<py::function>& show) {
-  return [&show](const Iteration& i) {
-    const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!show) return true;
-    const auto go_on = (*show)(i.energy, i.residual, i.step, i.fraction, i.shift);
-    return go_on.is_none() || go_on.cast<bool>();
-  };
-}
 
 namespace {
 
@@ -106,29 +52,21 @@ void bind_fields(py::module_& module, const char* name, const char* doc) {
   type.def(py::pickle(to_dict, from));
 }
 
-py::dict solve_rod(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
-                   const Array& position, const Array& frame, const GridLoads& loads,
-                   const std::optional<Array>& start, const Options& options,
-                   const std::optional<py::function>& trace) {
+/// The rod and its loads must not change while the job waits.
+Job cantilever_job(const py::object& rod, Dimension dimension, ModelKind model,
+                   const Array& position, const Array& frame, const py::object& loads,
+                   const std::optional<py::tuple>& start, const Options& options) {
   const Clamp clamp{vector3(position, "position"), quaternion(frame, "frame")};
-  std::vector<Quaternion> frames;
-  if (start) {
-    frames = quaternions(*start, "start");
-    require_count(Eigen::Index(frames.size()), rod.edges(), "start", "one frame per edge");
-  }
-  const auto show = python_trace(trace);
-  Solution<Spatial> solution;
-  {
-    const py::gil_scoped_release release;
-    solution = solve(rod, dimension, model, clamp, loads.loads, frames, options, show);
-  }
-  py::dict out;
-  out["rods"] = py::make_tuple(rod_results(rod.grid, solution));
-  add_status(out, solution.status, solution.record);
-  out["index"] = solution.index;
-  out["residual"] = solution.residual;
-  out["load_steps"] = solution.load_steps;
-  return out;
+  const auto& of = rod.cast<const Rod<Spatial>&>();
+  const auto& under = loads.cast<const GridLoads&>().loads;
+  const auto frames = start_frames(start, of.edges());
+  const int unknowns = of.edges() * (dimension == Dimension::spatial ? 3 : 1);
+  const auto work = [=, &of, &under](const Trace& trace) -> Outcome {
+    return {
+        scene_solution(solve(of, dimension, model, clamp, under, frames, options, trace), unknowns),
+        {}};
+  };
+  return {work, {rod, loads}};
 }
 
 /// One vector per edge.
@@ -136,6 +74,26 @@ std::vector<Vec3> per_edge(const GridLoads& self, const Array& values, const cha
   auto out = vectors<3>(values, name);
   require_count(Eigen::Index(out.size()), self.grid.edges(), name, "one per edge");
   return out;
+}
+
+using L = Loads<Spatial>;
+
+/// A load at a place, on this grid and on finer ones.
+template <class Add>
+void add_at(GridLoads& self, const Add& add, const Vec3& value, double s) {
+  self.add([=](L& loads, const Grid& grid, int) { (loads.*add)(grid, value, s); });
+}
+
+/// A load along the rod, the same all over each edge of this grid.
+template <class Add>
+void add_along(GridLoads& self, const Add& add, std::vector<Vec3> values) {
+  self.add([add, values = std::move(values)](L& loads, const Grid& grid, int parts) {
+    if (parts == 1) return (loads.*add)(grid, values);
+    std::vector<Vec3> repeated;
+    repeated.reserve(values.size() * std::size_t(parts));
+    for (const auto& value : values) repeated.insert(repeated.end(), std::size_t(parts), value);
+    (loads.*add)(grid, repeated);
+  });
 }
 
 }  // namespace
@@ -155,51 +113,51 @@ void statics(py::module_& module) {
       .def(
           "add_force",
           [](GridLoads& self, const Array& F, double s) {
-            self.loads.add_force(self.grid, vector3(F, "force"), s);
+            add_at(self, &L::add_force, vector3(F, "force"), s);
           },
           py::arg("force"), py::arg("at"))
       .def(
           "add_moment",
           [](GridLoads& self, const Array& M, double s) {
-            self.loads.add_couple(self.grid, vector3(M, "moment"), s);
+            add_at(self, &L::add_couple, vector3(M, "moment"), s);
           },
           py::arg("moment"), py::arg("at"))
       .def(
           "add_distributed_force",
           [](GridLoads& self, const Array& f) {
-            self.loads.add_force_per_length(self.grid, per_edge(self, f, "force_per_length"));
+            add_along(self, &L::add_force_per_length, per_edge(self, f, "force_per_length"));
           },
           py::arg("force_per_length"))
       .def(
           "add_distributed_moment",
           [](GridLoads& self, const Array& l) {
-            self.loads.add_couple_per_length(self.grid, per_edge(self, l, "moment_per_length"));
+            add_along(self, &L::add_couple_per_length, per_edge(self, l, "moment_per_length"));
           },
           py::arg("moment_per_length"))
       .def(
           "add_following_force",
           [](GridLoads& self, const Array& F, double s) {
-            self.loads.add_following_force(self.grid, vector3(F, "force"), s);
+            add_at(self, &L::add_following_force, vector3(F, "force"), s);
           },
           py::arg("force"), py::arg("at"))
       .def(
           "add_following_moment",
           [](GridLoads& self, const Array& M, double s) {
-            self.loads.add_following_couple(self.grid, vector3(M, "moment"), s);
+            add_at(self, &L::add_following_couple, vector3(M, "moment"), s);
           },
           py::arg("moment"), py::arg("at"))
       .def(
           "add_following_distributed_force",
           [](GridLoads& self, const Array& f) {
-            self.loads.add_following_force_per_length(self.grid,
-                                                      per_edge(self, f, "force_per_length"));
+            add_along(self, &L::add_following_force_per_length,
+                      per_edge(self, f, "force_per_length"));
           },
           py::arg("force_per_length"))
       .def(
           "add_following_distributed_moment",
           [](GridLoads& self, const Array& l) {
-            self.loads.add_following_couple_per_length(self.grid,
-                                                       per_edge(self, l, "moment_per_length"));
+            add_along(self, &L::add_following_couple_per_length,
+                      per_edge(self, l, "moment_per_length"));
           },
           py::arg("moment_per_length"))
       .def_property_readonly("force",
@@ -209,15 +167,11 @@ void statics(py::module_& module) {
       .def_property_readonly("end_moment",
                              [](const GridLoads& self) { return array<3>(self.loads.end_couple); })
       .def_property_readonly(
-          "start_moment", [](const GridLoads& self) { return array<3>(self.loads.start_couple); })
-      .def_property_readonly("start_share",
-                             [](const GridLoads& self) { return array<3>(self.loads.start_share); })
-      .def_property_readonly("end_share",
-                             [](const GridLoads& self) { return array<3>(self.loads.end_share); });
+          "start_moment", [](const GridLoads& self) { return array<3>(self.loads.start_couple); });
 
-  module.def("solve", &solve_rod, py::arg("rod"), py::arg("dimension"), py::arg("model"),
-             py::arg("position"), py::arg("frame"), py::arg("loads"), py::arg("start"),
-             py::arg("options"), py::arg("trace"));
+  module.def("cantilever_job", &cantilever_job, py::arg("rod"), py::arg("dimension"),
+             py::arg("model"), py::arg("position"), py::arg("frame"), py::arg("loads"),
+             py::arg("start"), py::arg("options"));
 }
 
 }  // namespace pyrod::bind

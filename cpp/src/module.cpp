@@ -8,6 +8,8 @@ PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   pyrod::bind::curve(module);
   pyrod::bind::arc(module);
   pyrod::bind::rod(module);
+  pyrod::bind::job(module);
   pyrod::bind::statics(module);
   pyrod::bind::network(module);
+  pyrod::bind::ladder(module);
 }

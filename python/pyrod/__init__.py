@@ -8,10 +8,15 @@ the normal of the cross-section.
 from importlib.metadata import version as _version
 
 from pyrod import curve, rotation
+from pyrod._choice import Choice, smallest_model
 from pyrod._core import Options
+from pyrod._effects import Effect, effect, out_of_plane_index
+from pyrod._many import solve_many
+from pyrod._planarity import Planarity, is_planar
 from pyrod._solve import solve
+from pyrod.accuracy import Accuracy
 from pyrod.equilibrium import Equilibrium, RodEquilibrium
-from pyrod.errors import NotConverged, StrainWarning, UnstableWarning
+from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.joints import Joint
 from pyrod.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
 from pyrod.rod import Rod
@@ -22,9 +27,13 @@ from pyrod.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring
 __version__ = _version("pyrod")
 
 __all__ = [
+    "Accuracy",
+    "AccuracyWarning",
+    "Choice",
     "Clamp",
     "DistributedForce",
     "DistributedMoment",
+    "Effect",
     "Equilibrium",
     "Force",
     "Gravity",
@@ -35,6 +44,7 @@ __all__ = [
     "NotConverged",
     "Options",
     "Pivot",
+    "Planarity",
     "Rod",
     "RodEquilibrium",
     "Scene",
@@ -45,6 +55,11 @@ __all__ = [
     "StrainWarning",
     "UnstableWarning",
     "curve",
+    "effect",
+    "is_planar",
+    "out_of_plane_index",
     "rotation",
+    "smallest_model",
     "solve",
+    "solve_many",
 ]

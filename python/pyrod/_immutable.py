@@ -40,6 +40,21 @@ def sealed(values: Any) -> Any:
     return values
 
 
+class Lazy:
+    """Mixin of frozen dataclasses whose arrays are made when they are first asked for.
+
+    ``_source`` is what has the attributes that are still missing, or None.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        state = self.__dict__
+        source = state.get("_source")
+        if source is None or name.startswith("_") or not hasattr(source, name):
+            raise AttributeError(f"{type(self).__name__} has no {name!r}")
+        value = state[name] = getattr(source, name)
+        return value
+
+
 def _equal(a: Any, b: Any) -> bool:
     if isinstance(a, dict) and isinstance(b, dict):
         return a.keys() == b.keys() and all(_equal(a[key], b[key]) for key in a)

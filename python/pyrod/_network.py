@@ -42,8 +42,11 @@ class Network:
         self._rest = [_Rest(rod) for rod in scene.rods]
         nodes = self._nodes()
         self.compiled = _core.Network()
-        for rod, loads in zip(scene.rods, scene._loads, strict=True):
+        clamped = {on_rod(s.at, scene.rods)[0] for s in scene.supports if s.holds_frame}
+        for number, (rod, loads) in enumerate(zip(scene.rods, scene._loads, strict=True)):
             position, frame = rod.placement
+            if number in clamped:
+                position, frame = self._nearest(position, frame)
             self.compiled.add_rod(
                 rod._rod, _core.Model.__members__[rod.model], loads, position, frame
             )
@@ -108,7 +111,14 @@ class Network:
             frame = frame if support.frame is None else support.frame
             free, turns, springs = support._free(frame), support._turns(frame), support._springs
             holds = support.holds_frame
-        index = self.compiled.add_node(position, free, frame, turns, *springs)
+        at, to = self._nearest(position, frame)
+        index = self.compiled.add_node(
+            at if support is None else position,
+            free,
+            to if turns is FREE and not holds else frame,
+            turns,
+            *springs,
+        )
         for point in node.points:
             self.node_of[point] = index
             rigid = node.rigid or (holds and point == node.held)
@@ -117,6 +127,19 @@ class Network:
                 hinge = rotate(conjugate(frame), node.hinge)
             relative = self._relative(first, point, node)
             self.compiled.attach(*point, index, rigid, relative, node.turns.get(point, 0), hinge)
+
+    def _nearest(self, position: Array, frame: Array) -> tuple[Array, Array]:
+        """The place in the plane of a planar scene, for what is but a start of the search."""
+        if self._scene.space != "planar":
+            return position, frame
+        origin, plane = self._scene.plane
+        local = rotate(conjugate(plane), position - origin)
+        turn = multiply(conjugate(plane), frame)
+        size = np.hypot(turn[0], turn[2])
+        kept = (
+            np.array([turn[0], 0, turn[2], 0]) / size if size > 1e-9 else np.array([1.0, 0, 0, 0])
+        )
+        return origin + rotate(plane, local * [1.0, 0.0, 1.0]), multiply(plane, kept)
 
     def _relative(self, first: Point, point: Point, node: _Node) -> Array:
         """The frame of the rod at the node, seen from the node's."""

@@ -3,28 +3,28 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from dataclasses import replace
 from time import perf_counter
-from typing import Any
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
 from pyrod._core import Options
-from pyrod._immutable import Array, sealed
-from pyrod.equilibrium import Equilibrium, Reaction, RodEquilibrium
-from pyrod.errors import NotConverged, StrainWarning, UnstableWarning
-from pyrod.rotation import as_frames, continued
+from pyrod._jobs import How, Job
+from pyrod.equilibrium import Equilibrium
+from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.scene import Scene
-
-Trace = Callable[[float, float, float, float, float], Any]
+from pyrod.section import Model
 
 
 def solve(
     scene: Scene,
     options: Options | None = None,
     *,
+    tol: float | None = None,
+    model: Literal["auto"] | Model | None = None,
     start: Equilibrium | ArrayLike | None = None,
     strict: bool = True,
     verbose: bool = False,
@@ -37,6 +37,15 @@ def solve(
     ----------
     scene : the rods, their supports, joints and loads.
     options : tolerances and limits; see `Options`.
+    tol : the largest relative error wanted, of positions, frames, curvatures, forces, moments,
+        energy and reactions, in (0, 0.1]; estimates come with the result (``errors``). The scene's
+        edges are halved as often as needed; the result is told at their ends, which is all edges
+        that a user gave. Default: the grid as it is, and 1e-6 where rods leave their edges to the
+        solver.
+    model : the model of all rods, in place of their own; "auto": the smallest, and the plane if
+        that will do, in which results differ by less than ``tol`` from those with all strains
+        whose stiffnesses are finite. What was chosen, and why, is in ``choice``; see
+        `smallest_model`.
     start : an equilibrium of a similar scene with as many edges, or frames (n, 4) or (n, 3, 3) of
         the edges of all rods, to start from; default: the shape at rest, bent into the supports. A
         start is trusted to be near.
@@ -48,7 +57,7 @@ def solve(
 
     Raises
     ------
-    NotConverged : with the last iterate in ``.result``.
+    NotConverged : with the last iterate in ``.result``; also where ``tol`` is not reached.
     KeyboardInterrupt : Ctrl-C is looked for once per iteration.
 
     Warns
@@ -56,17 +65,39 @@ def solve(
     UnstableWarning : the equilibrium found is a saddle of the energy, though a stable one was
         wanted.
     StrainWarning : an edge is turned inside out, or neighbours turn by more than pi.
+    AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
     """
     began = perf_counter()
+    choice = None
+    if model is not None:
+        scene, choice = _in_model(scene, model, tol)
     trace = _print_iteration if verbose else None
-    if scene.is_cantilever and stable and not eigenvalue:
-        out = _solve_cantilever(scene, options or Options(), start, trace)
-        if out["index"] > 0:  # a saddle, to be left
-            frames = out["rods"][0].frames
-            out = _solve_network(scene, options or Options(), frames, True, False, trace)
-    else:
-        out = _solve_network(scene, options or Options(), start, stable, eigenvalue, trace)
-    result = Equilibrium(scene=scene, time=perf_counter() - began, **out)
+    job = Job(scene, start, How(options or Options(), stable, eigenvalue, tol))
+    found = job.compiled.run(trace)
+    if (other := job.again(found)) is not None:
+        job, found = other, other.compiled.run(trace)
+    result = job.equilibrium(found, perf_counter() - began, choice)
+    judge(result, strict, stable, verbose)
+    return result
+
+
+def _in_model(
+    scene: Scene, model: Literal["auto"] | Model, tol: float | None
+) -> tuple[Scene, str | None]:
+    """The scene with another model, and why."""
+    if model != "auto":
+        rods = [replace(rod, model=model) for rod in scene.rods]
+        return Scene(rods, scene.supports, scene.loads, scene.space, scene.joints), None
+    from pyrod._choice import smallest_model
+
+    if tol is None:
+        raise ValueError("model: 'auto' needs tol, the error that is allowed")
+    choice = smallest_model(scene, tol)
+    return choice.scene, choice.text
+
+
+def judge(result: Equilibrium, strict: bool, stable: bool, verbose: bool = False) -> None:
+    """Refuses what is no equilibrium, and warns of what is doubtful."""
     if result.converged:
         _refuse_drift(result)
     if verbose:
@@ -78,72 +109,7 @@ def solve(
     if strict and not result.converged:
         raise NotConverged(result)
     for category, message in _doubts(result, stable):
-        warnings.warn(message, category, stacklevel=2)
-    return result
-
-
-def _solve_cantilever(
-    scene: Scene, options: Options, start: Any, trace: Trace | None
-) -> dict[str, Any]:
-    """One rod whose section forces the loads tell: frames are the only unknowns."""
-    rod = scene.rods[0]
-    out = _core.solve(
-        rod._rod,
-        _core.Dimension.__members__[scene.space],
-        _core.Model.__members__[rod.model],
-        scene.clamp_position,
-        scene.clamp_frame,
-        scene._loads[0],
-        _start_frames(start, scene),
-        options,
-        trace,
-    )
-    rods = _rods(out, scene)
-    loads = scene._loads[0]
-    force, moment = -loads.force.sum(axis=0), -rods[0].moment[0] - loads.start_moment
-    out.update(rods=rods, reactions=(Reaction(*sealed((force, moment))),))
-    out["unknowns"] = rod.edges * (3 if scene.space == "spatial" else 1)
-    return sealed(out)
-
-
-def _solve_network(
-    scene: Scene,
-    options: Options,
-    start: Any,
-    stable: bool,
-    eigenvalue: bool,
-    trace: Trace | None,
-) -> dict[str, Any]:
-    network = scene._network
-    given = None
-    if start is not None:
-        frames = _start_frames(start, scene)
-        nodes = start._nodes if isinstance(start, Equilibrium) else None
-        given = (frames, *(nodes or (np.zeros((0, 3)), np.zeros((0, 4)))))
-    out = network.compiled.solve(
-        _core.Dimension.__members__[scene.space],
-        *scene.plane,
-        given,
-        options,
-        stable,
-        eigenvalue,
-        trace,
-    )
-    forces, moments = out.pop("reaction_forces"), out.pop("reaction_moments")
-    nodes = (out.pop("node_positions"), out.pop("node_frames"))
-    reactions = tuple(Reaction(forces[v], moments[v]) for v in network.support_nodes())
-    if not eigenvalue:
-        out["lowest_eigenvalue"] = None
-    out["mode"] = out["mode"] if len(out["mode"]) else None
-    out.update(rods=_rods(out, scene), reactions=sealed(reactions), _nodes=nodes)
-    return sealed(out)
-
-
-def _rods(out: dict[str, Any], scene: Scene) -> tuple[RodEquilibrium, ...]:
-    return tuple(
-        RodEquilibrium(rod=rod, _shares=(loads.start_share, loads.end_share), **sealed(values))
-        for rod, loads, values in zip(scene.rods, scene._loads, out["rods"], strict=True)
-    )
+        warnings.warn(message, category, stacklevel=3)
 
 
 def _doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], str]]:
@@ -154,20 +120,27 @@ def _doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], 
             "start from a shape on the side that it would fall to"
         )
         yield UnstableWarning, message
+    if result.accuracy is not None and result.converged and not result.accuracy.regular:
+        message = (
+            f"the grids converge with order {result.accuracy.order:.2g} instead of 2, so the "
+            f"results are those of the finest, {result.accuracy.finest_edges} edges: a load, a "
+            "section or the curvature jumps inside an edge; give it a vertex "
+            "(Rod.with_vertices)"
+        )
+        yield AccuracyWarning, message
     for number, rod in enumerate(result.rods):
         of = f" of rod {number}" if len(result.rods) > 1 else ""
-        stretch = rod.Gamma[:, 2]
-        if stretch.min() <= 0:
+        turn, vertex, stretch, edge = rod._source.doubts(rod.rod._rod)
+        if stretch <= 0:
             message = (
-                f"edge {int(stretch.argmin())}{of} is compressed to {stretch.min():.3g} of its "
-                "length, turned inside out: the loads exceed what EA allows"
+                f"edge {edge}{of} is compressed to {stretch:.3g} of its length, turned inside "
+                "out: the loads exceed what EA allows"
             )
             yield StrainWarning, message
-        turns = rod.rod.cell_lengths * np.linalg.norm(rod.K, axis=1)
-        if turns.max() > np.pi:
+        if turn > np.pi and result.accuracy is None:  # else it was solved on finer grids
             message = (
-                f"the rod turns by {turns.max():.3g} rad at vertex {int(turns.argmax())}{of}: more "
-                "edges are needed for the shape to mean anything"
+                f"the rod turns by {turn:.3g} rad at vertex {vertex}{of}: more edges are needed "
+                "for the shape to mean anything"
             )
             yield StrainWarning, message
 
@@ -191,18 +164,6 @@ def _refuse_drift(result: Equilibrium) -> None:
             f"supports: nothing holds the rods against the force {left} of the loads that follow "
             "them; hold a point of them"
         )
-
-
-def _start_frames(start: Equilibrium | ArrayLike | None, scene: Scene) -> Array | None:
-    if start is None:
-        return None
-    if isinstance(start, Equilibrium):
-        return np.vstack([rod.frames for rod in start.rods])
-    frames = as_frames(start, "start")
-    if len(scene.rods) > 1:
-        return frames
-    first = scene.clamp_frame if scene.supports else frames[0]
-    return continued(np.vstack([first, frames]))[1:]
 
 
 def _print_iteration(

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from pyrod._immutable import Array, Immutable
+from pyrod import _core
+from pyrod._immutable import Array, Immutable, Lazy
+from pyrod.accuracy import Accuracy
 from pyrod.rotation import exp, multiply, rotate
 from pyrod.scene import Scene
 from pyrod.supports import Support
@@ -16,6 +18,7 @@ from pyrod.supports import Support
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from pyrod._effects import Effect, Of, Quantity
     from pyrod.rod import Rod
 
 
@@ -27,7 +30,7 @@ class Reaction(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class RodEquilibrium(Immutable):
+class RodEquilibrium(Lazy, Immutable):
     """One rod of n edges in equilibrium; arrays have a row per vertex (n + 1) or per edge (n).
 
     Positions, forces and moments are spatial; strains and whatever is called material have the
@@ -42,6 +45,11 @@ class RodEquilibrium(Immutable):
     K: Array  #: (n + 1, 3) material curvature, Linn (48) [1/m]; where the rod is held, a mean
     Gamma: Array  #: (n, 3) shear and stretch, Linn (50)
     force: Array  #: (n, 3) section force of the edges, in exact balance with the loads [N]
+    vertex_force: Array
+    """(n + 1, 3) section force at the vertices, inside the rod at its ends [N].
+
+    Where a point force acts on a vertex, a value between those on its two sides.
+    """
     material_force: Array  #: (n, 3) the same in the components of the frames
     moment: Array  #: (n + 1, 3) section moment, in balance with the loads [N m]; where the rod is
     #: held, just behind
@@ -50,7 +58,12 @@ class RodEquilibrium(Immutable):
     load_moment: Array  #: (3,) sum of the moments that act on the rod [N m]
     bend_twist_energy: float  #: Linn (49) [J]
     stretch_shear_energy: float  #: Linn (51) [J]
-    _shares: tuple[Array, Array] = field(repr=False)
+
+    @classmethod
+    def _of(cls, rod: Rod, source: _core.RodSolution) -> RodEquilibrium:
+        self = object.__new__(cls)
+        self.__dict__.update(rod=rod, _source=source)
+        return self
 
     @property
     def s(self) -> Array:
@@ -72,23 +85,13 @@ class RodEquilibrium(Immutable):
         """(4,) frame of the end."""
         return self.vertex_frames[-1]
 
-    @property
-    def vertex_force(self) -> Array:
-        """(n + 1, 3) section force at the vertices, inside the rod at its ends [N].
-
-        Where a point force acts on a vertex, a value between those on its two sides.
-        """
-        h, n = self.rod.edge_lengths[:, None], self.force
-        inner = (h[1:] * n[:-1] + h[:-1] * n[1:]) / (h[1:] + h[:-1])
-        return np.vstack([n[:1] + self._shares[0], inner, n[-1:] - self._shares[1]])
-
     def __repr__(self) -> str:
         tip = ", ".join(f"{x:.6g}" for x in self.tip)
         return f"RodEquilibrium({self.rod!r}, energy={self.energy:.6g}, tip=({tip}))"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Equilibrium(Immutable):
+class Equilibrium(Lazy, Immutable):
     """Equilibrium of a scene: its `rods`, and how it was found.
 
     Of a scene with one rod, all that `RodEquilibrium` knows is to be had directly: ``positions``,
@@ -106,29 +109,44 @@ class Equilibrium(Immutable):
     load_steps: int  #: 0: all loads at once; else steps in which they were brought on
     record: dict[str, Array]  #: one entry per iteration: step [rad], residual, energy, shift, ...
     time: float = field(compare=False)  #: of the solve [s]
-    descents: int = 0  #: saddles that the search has left along their unstable modes
-    unknowns: int = 0  #: of the last linear system, with the multipliers
-    multipliers: int = 0  #: components of section forces among them
-    fill: float = 1.0  #: entries of the factor over those of the matrix
-    lowest_eigenvalue: float | None = None
+    descents: int  #: saddles that the search has left along their unstable modes
+    unknowns: int  #: of the last linear system, with the multipliers
+    multipliers: int  #: components of section forces among them
+    fill: float  #: entries of the factor over those of the matrix
+    lowest_eigenvalue: float | None
     """Of the second variation on the constraints, for modes with int |phi|^2 ds/L = 1 [N m]."""
-    neutral: bool = False
+    neutral: bool
     """It can move along ``mode`` without a change of energy: a mechanism, or one of a family."""
-    mode: Array | None = None
+    mode: Array | None
     """(edges of all rods, 3) turns of the edges in their frames [rad] in the lowest mode.
 
     The largest component is 1. Known if it was asked for, or if the equilibrium is neutral.
     """
+    accuracy: Accuracy | None = None
+    """What is known of the errors, if a tolerance was given."""
+    choice: str | None = None
+    """Which model was chosen and why, if that was left to the solver."""
     _nodes: tuple[Array, Array] | None = field(default=None, repr=False)
 
+    @classmethod
+    def _of(cls, source: _core.Solution, **known: Any) -> Equilibrium:
+        self = object.__new__(cls)
+        self.__dict__.update(_source=source, **known)
+        return self
+
     def __getattr__(self, name: str) -> Any:
-        """What is known of the only rod."""
-        if name.startswith("_") or (not hasattr(RodEquilibrium, name) and name not in _ROD_FIELDS):
-            raise AttributeError(f"Equilibrium has no {name!r}")
+        """What is made when it is asked for, and what is known of the only rod."""
+        if name.startswith("_") or not (hasattr(RodEquilibrium, name) or name in _ROD_FIELDS):
+            return Lazy.__getattr__(self, name)
         rods = self.__dict__["rods"]
         if len(rods) != 1:
             raise AttributeError(f"{name}: the scene has {len(rods)} rods; see rods[i].{name}")
         return getattr(rods[0], name)
+
+    @property
+    def errors(self) -> dict[str, float] | None:
+        """Estimates of the errors, if a tolerance was given; see `Accuracy`."""
+        return None if self.accuracy is None else self.accuracy.errors
 
     @property
     def converged(self) -> bool:
@@ -171,6 +189,19 @@ class Equilibrium(Immutable):
                 f"reaction: the scene has {len(self.reactions)} supports, see reactions"
             )
         return self.reactions[0]
+
+    def effect(self, of: Of, quantity: Quantity | None = None) -> Effect:
+        """What "extension", "shear", "strains" or "space" would change; see `pyrod.effect`."""
+        from pyrod._effects import effect
+
+        return effect(self, of, quantity)
+
+    @property
+    def out_of_plane_index(self) -> int | None:
+        """Directions out of the plane in which the energy falls; see `pyrod.out_of_plane_index`."""
+        from pyrod._effects import out_of_plane_index
+
+        return out_of_plane_index(self)
 
     def along_mode(self, amplitude: float) -> Array:
         """(edges of all rods, 4) frames displaced along the mode: a start for other equilibria.
@@ -238,6 +269,7 @@ class Equilibrium(Immutable):
         tip = ""
         if len(self.rods) == 1:
             tip = f"tip=({', '.join(f'{x:.6g}' for x in self.rods[0].tip)}), "
+        tip += f"{self.accuracy}, " if self.accuracy else ""
         return (
             f"Equilibrium({what}, {self.iterations} iterations{how}, {stable}, "
             f"energy={self.energy:.6g}, {tip}{1e3 * self.time:.2g} ms)"

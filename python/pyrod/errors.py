@@ -9,15 +9,23 @@ if TYPE_CHECKING:
 
 
 class NotConverged(RuntimeError):
-    """No equilibrium was reached; ``result`` holds the last iterate and its record."""
+    """No equilibrium was reached; ``result`` holds the last iterate and its record.
 
-    def __init__(self, result: Equilibrium) -> None:
-        super().__init__(result)
+    ``results``: those of all scenes, if there were many.
+    """
+
+    def __init__(self, result: Equilibrium, results: list[Equilibrium] | None = None) -> None:
+        super().__init__(result, results)
         self.result = result
+        self.results = results
 
     def __str__(self) -> str:
         r = self.result
-        return f"{r.status} after {r.iterations} iterations: {r.advice}"
+        text = f"{r.status} after {r.iterations} iterations: {r.advice}"
+        if self.results is None:
+            return text
+        failed = [i for i, one in enumerate(self.results) if not one.converged]
+        return f"{len(failed)} of {len(self.results)} scenes failed; scene {failed[0]}: {text}"
 
 
 class UnstableWarning(UserWarning):
@@ -26,3 +34,7 @@ class UnstableWarning(UserWarning):
 
 class StrainWarning(UserWarning):
     """The equilibrium found strains the rod beyond what the model or the edges can mean."""
+
+
+class AccuracyWarning(UserWarning):
+    """The error was reached without extrapolation, because the grids converge irregularly."""

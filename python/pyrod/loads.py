@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
@@ -134,6 +135,20 @@ class Gravity(Immutable):
 Load = Union[Force, Moment, DistributedForce, DistributedMoment, Gravity]
 
 
+def any_function(loads: tuple[Load, ...]) -> bool:
+    """Whether a load is told by a function of arc length."""
+    return any(
+        callable(load.force_per_length) for load in loads if isinstance(load, DistributedForce)
+    ) or any(
+        callable(load.moment_per_length) for load in loads if isinstance(load, DistributedMoment)
+    )
+
+
+def load_places(loads: tuple[Load, ...]) -> list[Place]:
+    """Where point loads act."""
+    return [load.at for load in loads if isinstance(load, (Force, Moment))]
+
+
 def _number(rod: int, rods: tuple[Rod, ...]) -> int:
     if not 0 <= rod < len(rods):
         raise ValueError(f"rod: there is no rod {rod}, the scene has {len(rods)}")
@@ -148,10 +163,35 @@ def on_edges(values: Any, rod: Rod, name: str) -> Array:
 
 def sampled_load(load: Load, rods: tuple[Rod, ...]) -> Load:
     """The same load with functions replaced by the values they have on the edges."""
-    if isinstance(load, DistributedForce) and callable(load.force_per_length):
-        values = on_edges(load.force_per_length, rods[load.rod], "force_per_length")
+    return _with_values(load, rods, lambda values, name: on_edges(values, rods[load.rod], name))  # type: ignore[union-attr]
+
+
+def stepwise_load(load: Load, rods: tuple[Rod, ...]) -> Load:
+    """The same load on any grid: values that are given edge by edge hold for all of the edge."""
+
+    def function(values: Any, name: str) -> Any:
+        if callable(values) or np.ndim(values) == 1:
+            return values
+        return _Steps(on_edges(values, rods[load.rod], name), rods[load.rod].arc_lengths)  # type: ignore[union-attr]
+
+    return _with_values(load, rods, function)
+
+
+@dataclass(frozen=True, eq=False)
+class _Steps:
+    values: Array
+    ends: Array
+
+    def __call__(self, s: float) -> Array:
+        edge = int(np.searchsorted(self.ends, s, "right")) - 1
+        return self.values[min(max(edge, 0), len(self.values) - 1)]
+
+
+def _with_values(load: Load, rods: tuple[Rod, ...], new: Callable[[Any, str], Any]) -> Load:
+    if isinstance(load, DistributedForce):
+        values = new(load.force_per_length, "force_per_length")
         return DistributedForce(values, load.rod, load.follower)
-    if isinstance(load, DistributedMoment) and callable(load.moment_per_length):
-        values = on_edges(load.moment_per_length, rods[load.rod], "moment_per_length")
+    if isinstance(load, DistributedMoment):
+        values = new(load.moment_per_length, "moment_per_length")
         return DistributedMoment(values, load.rod, load.follower)
     return load

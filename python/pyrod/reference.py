@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import inf
+from math import gcd, inf
 from pathlib import Path
 from typing import Any
 
@@ -80,9 +80,10 @@ class Case:
         varies = any(isinstance(v, list) for v in self.data["stiffness"].values())
         return at if varies else at(0.0)
 
-    def scene(self, edges: int, space: Space | None = None) -> Scene:
-        """The case on equal edges, in the simplest of its spaces unless another is named.
+    def scene(self, edges: int | None, space: Space | None = None) -> Scene:
+        """The case on equal edges (None: those that `solve` chooses).
 
+        In the simplest of its spaces unless another is named.
         Raises `NotPossible` for what this version does not know.
         """
         space = space or self.spaces[0]
@@ -150,17 +151,17 @@ class Case:
         return np.array([self.along("K0")(x) for x in s]) + M / C
 
     def errors(self, result: Equilibrium) -> dict[str, float]:
-        """Largest differences to the exact solution at the samples, relative to its size."""
-        step, rest = divmod(result.scene.rod.edges, self.intervals)
-        if rest:
-            raise ValueError(f"result: its edges must be a multiple of {self.intervals}")
-        turn = multiply(conjugate(self.sampled("q")), result.vertex_frames[::step])
+        """Largest differences to the exact solution, relative to its size, at those of its equally
+        spaced samples that are vertices, too."""
+        common = gcd(result.scene.rod.edges, self.intervals)
+        step, skip = result.scene.rod.edges // common, self.intervals // common
+        turn = multiply(conjugate(self.sampled("q")[::skip]), result.vertex_frames[::step])
         angle = 2 * np.arctan2(np.linalg.norm(turn[:, 1:], axis=1), np.abs(turn[:, 0]))
 
         def relative(computed: Array, key: str, scale: float = 0.0) -> float:
             exact = self.sampled(key)
             scale = max(scale, float(np.abs(exact).max()))
-            return float(np.abs(computed[::step] - exact).max()) / (scale or 1.0)
+            return float(np.abs(computed[::step] - exact[::skip]).max()) / (scale or 1.0)
 
         energy = self.data["energy"]
         return {

@@ -10,9 +10,11 @@ from numpy.typing import ArrayLike
 
 from pyrod import _core
 from pyrod._along import Curvature, Model, Sections, stiffness
+from pyrod._grading import graded, natural_edges
 from pyrod._immutable import Array, Immutable, frozen, vector
+from pyrod._law import NO_JUMPS, Law, Made, Material, Table
 from pyrod._rest_shape import rest_curvature, ribbon
-from pyrod._sampling import edge_lengths, sampled
+from pyrod._sampling import edge_lengths
 from pyrod.rotation import exp, frame_along, multiply
 
 
@@ -49,6 +51,11 @@ class Rod(Immutable):
         default=(frozen([0, 0, 0]), frozen([1, 0, 0, 0])), compare=False
     )
     mass_per_length: Array = field(default_factory=lambda: frozen(0))
+    _law: Law | None = field(default=None, compare=False)
+    _made: Material | None = field(default=None, compare=False)
+    """What the law says for these edges: a rod with other arrays has another law."""
+    _breaks: tuple[float, ...] | None = None
+    """Arc lengths that must be vertices if the solver chooses the grid; None: edges are given."""
     _rod: _core.Rod = field(init=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -58,11 +65,32 @@ class Rod(Immutable):
             )
         for name in ("edge_lengths", "bending", "stretching", "K0"):
             self._set(**{name: frozen(getattr(self, name))})
-        self._set(_rod=self._compiled(), placement=tuple(frozen(x) for x in self.placement))
+        self._set(placement=tuple(frozen(x) for x in self.placement))
         self._set(mass_per_length=_masses(self.mass_per_length, self.edges))
+        if self._law is None or not self._is_by_law():
+            self._set(_law=self._table(), _made=None, _breaks=None)
+        self._set(_rod=self._compiled())
+
+    def _arrays(self) -> tuple[Array, ...]:
+        return self.bending, self.stretching, self.K0, self.mass_per_length
+
+    def _is_by_law(self) -> bool:
+        """Whether the arrays are still those that the law says."""
+        return self._made is not None and all(map(np.array_equal, self._arrays(), self._made[:4]))
+
+    def _table(self) -> Table:
+        return Table(self.edge_lengths, *self._arrays())
 
     def _compiled(self) -> _core.Rod:
-        return _core.Rod(self.edge_lengths, self.bending, self.stretching, self.K0)
+        arrays = self.edge_lengths, self.bending, self.stretching, self.K0
+        return _core.Rod(*arrays, *(NO_JUMPS if self._made is None else self._made.jumps))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Functions of arc length that cannot be pickled are as linear between vertices."""
+        state = super().__getstate__()
+        if not self._law.portable:  # type: ignore[union-attr]
+            state.update(_law=self._table(), _breaks=None)
+        return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         super().__setstate__(state)
@@ -72,14 +100,14 @@ class Rod(Immutable):
 
     @classmethod
     def straight(
-        cls, length: float, edges: int, section: Sections, model: Model | None = None
+        cls, length: float, edges: int | None, section: Sections, model: Model | None = None
     ) -> Rod:
         """A rod that is straight at rest, of equal edges.
 
         Parameters
         ----------
         length : length [m].
-        edges : number n of edges.
+        edges : number n of edges; None: `solve` chooses them, to the accuracy that is wanted.
         section : a `Section`, a function of arc length that returns one, or a sequence of n
             sections, one per edge.
         model : see `Rod`; default: the richest that the section's finite stiffnesses allow.
@@ -100,15 +128,26 @@ class Rod(Immutable):
         Parameters
         ----------
         length : length [m], or, with ``edges=None``, the lengths of the edges.
-        edges : number n of edges.
+        edges : number n of edges; None, with one length: `solve` chooses them.
         section, model : see `Rod.straight`.
         curvature : (K1, K2, K3) [1/m], bending about a1 and a2 and twist; or one per vertex,
             (n + 1, 3); or a function of arc length.
         """
-        h = edge_lengths(length, edges)
-        bending, stretching, mass, natural = stiffness(section, h)
-        K0 = sampled(curvature, np.concatenate([[0.0], np.cumsum(h)]), "curvature", "vertex")
-        return cls(h, bending, stretching, K0, model or natural, mass_per_length=mass)
+        free = edges is None and np.ndim(length) == 0
+        h = edge_lengths(length, natural_edges(length, curvature) if free else edges)
+        law = Made(section, curvature, h)
+        made = law.on(h)
+        return cls(
+            h,
+            made.bending,
+            made.stretching,
+            made.K0,
+            model or law.stiffness(h)[3],
+            mass_per_length=made.mass,
+            _law=law,
+            _made=made,
+            _breaks=() if free else None,
+        )
 
     @classmethod
     def from_curve(
@@ -180,32 +219,50 @@ class Rod(Immutable):
         """The same rod with vertices at the given arc lengths [m].
 
         Edges are cut where there is none yet; within 1e-9 of an edge's length of a vertex there is.
-        The cells of the new vertices get the mean compliance and the mean curvature of their
-        neighbours.
+        What sections and curvature are there, the functions tell that the rod was made of; of
+        arrays compliance and curvature are linear between vertices. Where `solve` chooses the
+        edges, these vertices are kept: give it the places where a load, a section or the curvature
+        jumps.
         """
-        rod = self
-        for s in np.unique(np.asarray(at, dtype=np.float64)):
-            j = int(np.clip(np.searchsorted(rod.arc_lengths, s, "right") - 1, 0, rod.edges - 1))
-            h, part = rod.edge_lengths[j], s - rod.arc_lengths[j]
-            if not 1e-9 * h < part < (1 - 1e-9) * h:
-                continue
-            rod = rod._cut(j, float(part))
-        return rod
+        at = np.unique(np.asarray(at, dtype=np.float64))
+        law = self._law.marked(at)  # type: ignore[union-attr]
+        if self._breaks is not None:
+            inside = (at > 1e-9 * self.length) & (at < (1 - 1e-9) * self.length)
+            breaks = tuple(np.union1d(self._breaks, at[inside]).tolist())
+            if breaks == self._breaks:
+                return self
+            return self._on(graded(self.length, breaks, self.edges), breaks, law)
+        s, h = self.arc_lengths, self.edge_lengths
+        edge = np.clip(np.searchsorted(s, at, "right") - 1, 0, self.edges - 1)
+        part = (at - s[edge]) / h[edge]
+        new = (part > 1e-9) & (part < 1 - 1e-9)
+        if not new.any():
+            return self if law is self._law else self._on(h, None, law)
+        return self._on(np.diff(np.sort(np.concatenate([s, at[new]]))), None, law)
 
-    def _cut(self, j: int, part: float) -> Rod:
-        C, K0 = self.bending, self.K0
-        twice = lambda values: np.insert(values, j, values[j], axis=0)  # noqa: E731
-        h = twice(self.edge_lengths)
-        h[j], h[j + 1] = part, self.edge_lengths[j] - part
+    def _on(self, h: Array, breaks: tuple[float, ...] | None = None, law: Law | None = None) -> Rod:
+        """The same rod on other edges."""
+        law = self._law if law is None else law
+        made = law.on(h)  # type: ignore[union-attr]
         return Rod(
             h,
-            np.insert(C, j + 1, 2 / (1 / C[j] + 1 / C[j + 1]), axis=0),
-            twice(self.stretching),
-            np.insert(K0, j + 1, (K0[j] + K0[j + 1]) / 2, axis=0),
+            made.bending,
+            made.stretching,
+            made.K0,
             self.model,
             self.placement,
-            twice(self.mass_per_length),
+            made.mass,
+            law,
+            made,
+            breaks,
         )
+
+    def _refined(self, level: int) -> Rod:
+        """The same rod with every edge cut in 2^level, and no choice of edges left."""
+        if level == 0 and self._breaks is None:
+            return self
+        parts = 2**level
+        return self._on(np.repeat(self.edge_lengths / parts, parts))
 
     def frame_at_rest(self, vertex: int, frames: Array | None = None) -> Array:
         """(4,) frame of a vertex at rest; ``frames``: those of the edges, if they are at hand."""
@@ -252,7 +309,8 @@ class Rod(Immutable):
 
     def __repr__(self) -> str:
         curved = "precurved" if self.K0.any() else "straight"
-        return f"Rod({self.model}, {curved}, length={self.length:g}, edges={self.edges})"
+        edges = self.edges if self._breaks is None else None
+        return f"Rod({self.model}, {curved}, length={self.length:g}, edges={edges})"
 
 
 @dataclass(frozen=True, eq=False)
@@ -290,4 +348,4 @@ def _masses(values: ArrayLike, edges: int) -> Array:
         )
     if not (np.isfinite(mass) & (mass >= 0)).all():
         raise ValueError("mass_per_length: expected finite numbers, not negative")
-    return frozen(np.broadcast_to(mass, edges))
+    return mass if mass.shape else frozen(np.full(edges, mass))

@@ -9,10 +9,11 @@ from typing import Any, Literal
 
 from pyrod import _core
 from pyrod._immutable import Array, Immutable
+from pyrod._ladder import Ladder
 from pyrod._network import Network
-from pyrod._places import on_rod
+from pyrod._places import on_rod, with_vertices
 from pyrod.joints import Joint
-from pyrod.loads import Load, sampled_load
+from pyrod.loads import Load, load_places, sampled_load
 from pyrod.rod import Rod
 from pyrod.supports import Clamp, Support
 
@@ -26,7 +27,8 @@ class Scene(Immutable):
     Parameters
     ----------
     rods : a `Rod`, or several. Supports and joints between two vertices get a vertex of their own,
-        so the scene's rods may have more edges than those given.
+        so the scene's rods may have more edges than those given. Where rods leave their edges to
+        the solver, point loads get vertices, too.
     supports : `Clamp`, `Hinge`, `Slider`, `Sleeve`, `Pivot`, `Spring`; any number. Ends without one
         are free.
     loads : `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`; any number.
@@ -70,7 +72,7 @@ class Scene(Immutable):
                 "another support"
             )
         places = [s.at for s in supports] + [p for joint in joints for p in joint.points]
-        cut = _with_vertices(rods, places)
+        cut = with_vertices(rods, places + _free_of(rods, load_places(loads)))
         compiled = tuple(_core.Loads(rod._rod) for rod in cut)
         for load in loads:
             load._apply(compiled, cut)
@@ -83,6 +85,15 @@ class Scene(Immutable):
     @cached_property
     def _network(self) -> Network:
         return Network(self)
+
+    @cached_property
+    def _ladder(self) -> Ladder:
+        return Ladder(self)
+
+    @property
+    def _chooses_edges(self) -> bool:
+        """Whether a rod leaves its edges to the solver."""
+        return any(rod._breaks is not None for rod in self.rods)
 
     def __getstate__(self) -> dict[str, Any]:
         """Functions of arc length are pickled as the values they had on the edges."""
@@ -171,9 +182,6 @@ def _tuple(items: Any, kinds: Any, name: str) -> tuple[Any, ...]:
     return items
 
 
-def _with_vertices(rods: tuple[Rod, ...], places: list[Any]) -> tuple[Rod, ...]:
-    wanted: list[list[float]] = [[] for _ in rods]
-    for place in places:
-        number, s = on_rod(place, rods)
-        wanted[number].append(s)
-    return tuple(rod.with_vertices(at) for rod, at in zip(rods, wanted, strict=True))
+def _free_of(rods: tuple[Rod, ...], places: list[Any]) -> list[Any]:
+    """Places on rods that leave their edges to the solver."""
+    return [place for place in places if rods[on_rod(place, rods)[0]]._breaks is not None]

@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Dimension', 'Loads', 'Model', 'Network', 'Options', 'Rod', 'curve', 'rotation', 'section', 'solve']
+__all__: list[str] = ['Dimension', 'Job', 'Ladder', 'Loads', 'Model', 'Network', 'Options', 'Rod', 'RodSolution', 'Solution', 'cantilever_job', 'curve', 'rotation', 'run_all', 'section']
 class Model:
     """
     Members:
@@ -59,7 +59,7 @@ class Model:
     def value(self) -> int:
         ...
 class Rod:
-    def __init__(self, edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    def __init__(self, edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], jumps: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], sides: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         ...
     def at_rest(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         ...
@@ -70,6 +70,121 @@ class Rod:
         ...
     @property
     def length(self) -> float:
+        ...
+class RodSolution:
+    """
+    One rod in equilibrium.
+    """
+    def doubts(self, rod: Rod) -> tuple:
+        ...
+    @property
+    def Gamma(self) -> numpy.ndarray:
+        ...
+    @property
+    def K(self) -> numpy.ndarray:
+        ...
+    @property
+    def bend_twist_energy(self) -> float:
+        ...
+    @property
+    def force(self) -> numpy.ndarray:
+        ...
+    @property
+    def frames(self) -> numpy.ndarray:
+        ...
+    @property
+    def load(self) -> numpy.ndarray:
+        ...
+    @property
+    def load_moment(self) -> numpy.ndarray:
+        ...
+    @property
+    def material_force(self) -> numpy.ndarray:
+        ...
+    @property
+    def material_moment(self) -> numpy.ndarray:
+        ...
+    @property
+    def moment(self) -> numpy.ndarray:
+        ...
+    @property
+    def positions(self) -> numpy.ndarray:
+        ...
+    @property
+    def stretch_shear_energy(self) -> float:
+        ...
+    @property
+    def vertex_force(self) -> numpy.ndarray:
+        ...
+    @property
+    def vertex_frames(self) -> numpy.ndarray:
+        ...
+class Solution:
+    """
+    A scene, solved.
+    """
+    @property
+    def advice(self) -> str:
+        ...
+    @property
+    def descents(self) -> int:
+        ...
+    @property
+    def fill(self) -> float:
+        ...
+    @property
+    def index(self) -> int:
+        ...
+    @property
+    def load_steps(self) -> int:
+        ...
+    @property
+    def lowest_eigenvalue(self) -> float:
+        ...
+    @property
+    def mode(self) -> typing.Any:
+        ...
+    @property
+    def multipliers(self) -> int:
+        ...
+    @property
+    def neutral(self) -> bool:
+        ...
+    @property
+    def node_frames(self) -> numpy.ndarray:
+        ...
+    @property
+    def node_positions(self) -> numpy.ndarray:
+        ...
+    @property
+    def reached(self) -> typing.Any:
+        ...
+    @property
+    def reaction_forces(self) -> numpy.ndarray:
+        ...
+    @property
+    def reaction_moments(self) -> numpy.ndarray:
+        ...
+    @property
+    def record(self) -> dict:
+        ...
+    @property
+    def residual(self) -> float:
+        ...
+    @property
+    def rods(self) -> tuple:
+        ...
+    @property
+    def status(self) -> str:
+        ...
+    @property
+    def unknowns(self) -> int:
+        ...
+class Job:
+    """
+    A solve that is ready to be run.
+    """
+    def run(self, trace: collections.abc.Callable | None) -> Solution:
         ...
 class Options:
     """
@@ -87,6 +202,11 @@ class Options:
         ...
     def __setstate__(self, arg0: dict) -> None:
         ...
+    @property
+    def max_edges(self) -> int:
+        """
+        edges of all rods together on the finest grid that a tolerance may lead to
+        """
     @property
     def max_iterations(self) -> int:
         """
@@ -175,9 +295,6 @@ class Loads:
     def end_moment(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
     @property
-    def end_share(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
-    @property
     def force(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
     @property
@@ -185,9 +302,6 @@ class Loads:
         ...
     @property
     def start_moment(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
-    @property
-    def start_share(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 class Network:
     """
@@ -201,7 +315,21 @@ class Network:
         ...
     def attach(self, rod: typing.SupportsInt | typing.SupportsIndex, vertex: typing.SupportsInt | typing.SupportsIndex, node: typing.SupportsInt | typing.SupportsIndex, rigid: bool, relative: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], turns: typing.SupportsInt | typing.SupportsIndex, hinge: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> None:
         ...
-    def solve(self, dimension: Dimension, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], start: tuple | None, options: Options, stable: bool, eigenvalue: bool, trace: collections.abc.Callable | None) -> dict:
+    def job(self, dimension: Dimension, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], start: tuple | None, options: Options, stable: bool, eigenvalue: bool) -> Job:
         ...
-def solve(rod: Rod, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: Loads, start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, options: Options, trace: collections.abc.Callable | None) -> dict:
+class Ladder:
+    """
+    A scene on ever finer grids.
+    """
+    @staticmethod
+    def of_cantilever(rod: Rod, loads: Loads, make: collections.abc.Callable | None, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Ladder:
+        ...
+    @staticmethod
+    def of_network(network: Network, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: collections.abc.Sequence[Loads], make: collections.abc.Callable | None, dimension: Dimension) -> Ladder:
+        ...
+    def job(self, start: tuple | None, options: Options, stable: bool, eigenvalue: bool, tolerance: typing.SupportsFloat | typing.SupportsIndex) -> Job:
+        ...
+def cantilever_job(rod: typing.Any, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: typing.Any, start: tuple | None, options: Options) -> Job:
+    ...
+def run_all(jobs: collections.abc.Sequence[Job], threads: typing.SupportsInt | typing.SupportsIndex, progress: collections.abc.Callable | None) -> list[Solution]:
     ...

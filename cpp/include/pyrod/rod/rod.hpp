@@ -3,7 +3,9 @@
 #pragma once
 
 #include <pyrod/curve/cosserat.hpp>
+#include <pyrod/rod/jump.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 namespace pyrod {
@@ -15,6 +17,7 @@ struct Rod {
   std::vector<Spin<Space>> bending;  ///< C_bt = (EI1, EI2, GJ) at the n + 1 vertices; plane: EI2
   std::vector<Point<Space>> stretching;  ///< C_es = (GA1, GA2, EA) on the n edges; plane: (GA1, EA)
   std::vector<Spin<Space>> K0;           ///< rest curvature at the n + 1 vertices
+  std::vector<Jump<Space>> jumps = {};   ///< inner vertices where these jump, in order
 
   /// The same everywhere, and straight at rest unless `K0` says otherwise.
   static Rod uniform(Grid grid, const Spin<Space>& bending, const Point<Space>& stretching,
@@ -41,9 +44,31 @@ struct Rod {
       require(turn < std::numbers::pi, "K0[", j, "]: the rod at rest turns by ", turn,
               " rad at this vertex; use more edges, so that neighbours turn by less than pi");
     }
+    for (std::size_t i = 0; i < jumps.size(); ++i)
+      require(jumps[i].vertex > (i == 0 ? 0 : jumps[i - 1].vertex) && jumps[i].vertex < n,
+              "jumps: expected inner vertices in their order, got ", jumps[i].vertex);
     for (int j = 0; j < n; ++j)
       require((stretching[j].array() > 0).all(), "stretching[", j,
               "]: stiffnesses must be positive (infinite: rigid), got ", stretching[j].transpose());
+  }
+
+  /// The frame at vertex j of a shape of the rod, see `vertex_frame`; where stiffness or rest
+  /// curvature jump, by what the two halves of the cell turn under its moment.
+  typename Space::Rotation frame_at(const CosseratCurve<Space>& curve, int j) const {
+    const auto jump = std::lower_bound(jumps.begin(), jumps.end(), j,
+                                       [](const auto& a, int at) { return a.vertex < at; });
+    if (jump == jumps.end() || jump->vertex != j) return vertex_frame(grid, curve, j);
+    const Spin<Space> u = turn(curve, j), M = bending[j].cwiseProduct(u / grid.Δs(j) - K0[j]);
+    return moved(curve.frames[j - 1], jump->turn_before(u, M, grid.h(j - 1), grid.h(j)));
+  }
+
+  /// The frames of an open rod at rest that starts in the frame q0.
+  std::vector<typename Space::Rotation> frames_at_rest(const typename Space::Rotation& q0) const {
+    std::vector<typename Space::Rotation> frames;
+    frames.reserve(edges());
+    for (int j = 0; j < edges(); ++j)
+      frames.push_back(turned(j == 0 ? q0 : frames[j - 1], grid.Δs(j) * K0[j], Measure::log));
+    return frames;
   }
 
   /// The stress-free shape, placed with its start at r0 in the frame q0. A closed rod is cut open

@@ -20,6 +20,7 @@ struct Options {
   double tolerance = 1e-8;
   double trust = 2.0;
   double near = 0.5;
+  int max_edges = 1 << 18;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -33,6 +34,9 @@ struct Options {
                                "longest step [rad] taken on the word of the exact Hessian"},
         Field<Options, double>{"near", &Options::near,
                                "steps [rad] below which the exact Hessian replaces the convex one"},
+        Field<Options, int>{"max_edges", &Options::max_edges,
+                            "edges of all rods together on the finest grid that a tolerance may "
+                            "lead to"},
     };
   }
 
@@ -41,6 +45,7 @@ struct Options {
     require(tolerance > 0 && tolerance <= 1e-3, "tolerance: must lie in (0, 1e-3] rad, got ",
             tolerance);
     require(trust > 0, "trust: must be positive, got ", trust);
+    require(max_edges > 0, "max_edges: must be at least 1, got ", max_edges);
     require(near >= 0, "near: must not be negative, got ", near);
   }
 };

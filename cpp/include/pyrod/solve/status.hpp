@@ -6,7 +6,15 @@
 
 namespace pyrod {
 
-enum class Status { converged, out_of_iterations, stalled, not_finite, interrupted, too_coarse };
+enum class Status {
+  converged,
+  out_of_iterations,
+  stalled,
+  not_finite,
+  interrupted,
+  too_coarse,
+  not_accurate
+};
 
 constexpr std::string_view name(Status status) {
   switch (status) {
@@ -22,6 +30,8 @@ constexpr std::string_view name(Status status) {
       return "interrupted";
     case Status::too_coarse:
       return "too_coarse";
+    case Status::not_accurate:
+      return "not_accurate";
   }
   return "unknown";
 }
@@ -48,6 +58,11 @@ constexpr std::string_view advice(Status status) {
       return "neighbouring edges came to differ by nearly half a turn or more, so that the shape "
              "means "
              "nothing: use more edges where the rod turns most";
+    case Status::not_accurate:
+      return "the tolerance was not reached within max_edges, or above rounding: the errors that "
+             "were "
+             "reached are told; a load, stiffness or curvature that jumps needs a vertex there "
+             "(Rod.with_vertices)";
   }
   return "";
 }

@@ -33,8 +33,8 @@ struct Loads {
   std::vector<Spin<Space>> couple;  ///< on the n edges
   Spin<Space> end_couple = Spin<Space>::Zero();
   Spin<Space> start_couple = Spin<Space>::Zero();  ///< what falls to the start: no edge feels it
-  Point<Space> start_share = Point<Space>::Zero(), end_share = Point<Space>::Zero();
-  ///< what distributed forces put on the first and the last vertex
+  std::vector<Point<Space>> shares;            ///< of distributed forces: half of those on an edge
+  std::vector<Point<Space>> following_shares;  ///< the same, in the frame of the edge; or none
   std::vector<FollowerForce<Space>> following_forces;
   std::vector<FollowerCouple<Space>> following_couples;
   Spin<Space> following_end_couple = Spin<Space>::Zero();  ///< in the frame of the end
@@ -90,6 +90,7 @@ struct Loads {
     for (int j = 0; j < grid.edges(); ++j)
       for (const int vertex : {j, j + 1})
         following_forces.push_back({j, vertex, grid.h(j) / 2 * f[j]});
+    share_out(grid, f, following_shares);
   }
 
   /// A couple at arc length s in the components of the frame there, shared like a dead one.
@@ -119,8 +120,15 @@ struct Loads {
       force[j] += grid.h(j) / 2 * f[j];
       force[j + 1] += grid.h(j) / 2 * f[j];
     }
-    start_share += grid.h(0) / 2 * f[0];
-    end_share += grid.h(n - 1) / 2 * f[n - 1];
+    share_out(grid, f, shares);
+  }
+
+  /// By how much distributed forces change the section force over half an edge whose frame is q.
+  Point<Space> share(int edge, const typename Space::Rotation& q) const {
+    Point<Space> sum = Point<Space>::Zero();
+    if (!shares.empty()) sum += shares[edge];
+    if (!following_shares.empty()) sum += rotate(q, following_shares[edge]);
+    return sum;
   }
 
   /// Moment per length on each edge.
@@ -165,6 +173,13 @@ struct Loads {
     for (const auto& m : couple)
       if (!m.isZero(0)) return true;
     return false;
+  }
+
+ private:
+  static void share_out(const Grid& grid, const std::vector<Point<Space>>& f,
+                        std::vector<Point<Space>>& out) {
+    out.resize(f.size(), Point<Space>::Zero());
+    for (int j = 0; j < grid.edges(); ++j) out[j] += grid.h(j) / 2 * f[j];
   }
 };
 

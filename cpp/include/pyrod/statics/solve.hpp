@@ -10,6 +10,26 @@ namespace pyrod {
 enum class Dimension { planar, spatial };
 enum class ModelKind { cosserat, extensible, inextensible };
 
+/// f(Planar{}) or f(Spatial{}).
+template <class F>
+auto in_space(Dimension dimension, const F& f) {
+  return dimension == Dimension::planar ? f(Planar{}) : f(Spatial{});
+}
+
+/// f(Cosserat{}), f(ExtensibleKirchhoff{}) or f(InextensibleKirchhoff{}).
+template <class F>
+auto with_model(ModelKind model, const F& f) {
+  switch (model) {
+    case ModelKind::cosserat:
+      return f(Cosserat{});
+    case ModelKind::extensible:
+      return f(ExtensibleKirchhoff{});
+    case ModelKind::inextensible:
+      break;
+  }
+  return f(InextensibleKirchhoff{});
+}
+
 /// The planar rod in the a1–a3 plane, or the rod itself. What leaves the plane is refused.
 template <class Space>
 Rod<Space> restricted(const Rod<Spatial>& rod) {
@@ -23,6 +43,11 @@ Rod<Space> restricted(const Rod<Spatial>& rod) {
             "only, got (",
             rod.K0[j].transpose(), "); choose the spatial rod");
   }
+  for (const auto& jump : rod.jumps)
+    out.jumps.push_back({jump.vertex, restrict_spin<Space>(jump.bending_before),
+                         restrict_spin<Space>(jump.K0_before),
+                         restrict_spin<Space>(jump.bending_behind),
+                         restrict_spin<Space>(jump.K0_behind)});
   return out;
 }
 
@@ -67,6 +92,8 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
             m.transpose(), ") is not about the clamp's director a2; choose the spatial rod");
     return kept;
   };
+  for (const auto& f : loads.shares) out.shares.push_back(point(f));
+  for (const auto& f : loads.following_shares) out.following_shares.push_back(in_plane<Space>(f));
   for (std::size_t j = 0; j < loads.force.size(); ++j) out.force[j] = point(loads.force[j]);
   for (std::size_t j = 0; j < loads.couple.size(); ++j) out.couple[j] = spin(loads.couple[j]);
   out.end_couple = spin(loads.end_couple);
@@ -76,6 +103,22 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   for (const auto& c : loads.following_couples)
     out.following_couples.push_back({c.edge, about_normal<Space>(c.couple)});
   out.following_end_couple = about_normal<Space>(loads.following_end_couple);
+  return out;
+}
+
+/// Frames of a rod seen from the frame `at`. In the plane each angle goes on from the one before,
+/// so that a rod may go round as often as it likes.
+template <class Space>
+std::vector<typename Space::Rotation> restricted(const std::vector<Quaternion>& frames,
+                                                 const Quaternion& at) {
+  std::vector<typename Space::Rotation> out;
+  out.reserve(frames.size());
+  for (const auto& q : frames) {
+    auto local = restrict_rotation<Space>(at.conjugate() * q);
+    if constexpr (Space::spin == 1)
+      if (!out.empty()) local = out.back() * principal(out.back().conjugate() * local);
+    out.push_back(local);
+  }
   return out;
 }
 
@@ -103,31 +146,18 @@ Solution<Spatial> solve(const Rod<Spatial>& rod, const Clamp& clamp, const Loads
                                        Space::Rotation::Identity(),
                                        restricted<Space>(loads, clamp.frame));
   if (start.empty()) return placed(scene.solve(options, trace), clamp);
-  typename Cantilever<Space, Model>::Frames frames;
-  for (const auto& q : start)
-    frames.push_back(restrict_rotation<Space>(clamp.frame.conjugate() * q));
-  return placed(scene.solve(std::move(frames), options, trace), clamp);
+  return placed(scene.solve(restricted<Space>(start, clamp.frame), options, trace), clamp);
 }
 
 inline Solution<Spatial> solve(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
                                const Clamp& clamp, const Loads<Spatial>& loads,
                                const std::vector<Quaternion>& start = {},
                                const Options& options = {}, const Trace& trace = {}) {
-  const auto in = [&]<class Space>(Space) {
-    const auto with = [&]<class M>(M) {
-      return solve<Space, M>(rod, clamp, loads, start, options, trace);
-    };
-    switch (model) {
-      case ModelKind::cosserat:
-        return with(Cosserat{});
-      case ModelKind::extensible:
-        return with(ExtensibleKirchhoff{});
-      case ModelKind::inextensible:
-        break;
-    }
-    return with(InextensibleKirchhoff{});
-  };
-  return dimension == Dimension::planar ? in(Planar{}) : in(Spatial{});
+  return in_space(dimension, [&]<class Space>(Space) {
+    return with_model(model, [&]<class Model>(Model) {
+      return solve<Space, Model>(rod, clamp, loads, start, options, trace);
+    });
+  });
 }
 
 }  // namespace pyrod

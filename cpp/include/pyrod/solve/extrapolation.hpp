@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file What results on grids of h, h/2, h/4, … tend to, and how far from it one is.
+///
+/// The errors of a symmetric scheme have an expansion in whole powers of h, from the second on. Its
+/// terms are eliminated one by one (Richardson, Romberg). Nothing is believed unseen: the ratios of
+/// successive differences must be those of the powers (docs/theory.md, "The ladder").
+#pragma once
+
+#include <pyrod/core/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pyrod {
+
+/// Numbers that are judged together: `width` of them from `first` on, part of a quantity. Numbers
+/// without a row are extrapolated like the others.
+struct Row {
+  int first, width, quantity;
+};
+
+/// Which errors are compared with what.
+struct Judgement {
+  std::vector<Row> rows;
+  std::vector<double> scales;  ///< of the quantities; errors are relative to them
+  bool even = false;           ///< whether the expansion has even powers only
+  double noise = 1e-15;        ///< relative rounding errors of the finest grid
+};
+
+struct Extrapolated {
+  Vector values;
+  std::vector<double> errors;  ///< of the quantities; infinite where nothing can be said
+  double order = std::numeric_limits<double>::quiet_NaN();  ///< of the grids' own errors, as seen
+  bool regular = false;                                     ///< the differences shrink as expected
+
+  double error() const { return *std::max_element(errors.begin(), errors.end()); }
+};
+
+class Extrapolation {
+ public:
+  /// `levels`: results on successively halved grids, the coarsest first.
+  Extrapolation(const std::vector<Vector>& levels, const Judgement& judgement)
+      : judgement_(judgement), last_(int(levels.size()) - 1), weights_(levels[0].size()) {
+    weights_.setZero();
+    for (const auto& row : judgement_.rows)
+      weights_.segment(row.first, row.width).setConstant(1 / judgement_.scales[row.quantity]);
+    columns_.push_back(levels);
+  }
+
+  Extrapolated result() {
+    Extrapolated out;
+    out.values = columns_[0].back();
+    out.errors.assign(judgement_.scales.size(), std::numeric_limits<double>::infinity());
+    if (last_ < 2) return out;
+    const double change = size(difference(0, last_)), ratio = shrinking(0);
+    out.order = -std::log2(std::abs(ratio));
+    if (change < 30 * judgement_.noise) {
+      out.regular = true;
+      out.errors = sizes(2 * difference(0, last_));
+      return bounded(out);
+    }
+    eliminate();
+    out.regular = ratio > 0.22 && ratio < 0.28 && even_as_told();
+    if (!out.regular) return plain(out);
+    out.values = columns_[last_ - 1].back();
+    out.errors = corrections();
+    return bounded(out);
+  }
+
+  /// Of two grids alone, by the word of the caller that the errors are of second order.
+  Extrapolated trusted() {
+    if (last_ != 1) return result();
+    Extrapolated out;
+    out.values = columns_[0].back();
+    out.regular = true;
+    out.errors = sizes(2. / 3 * difference(0, 1));
+    return bounded(out);
+  }
+
+ private:
+  /// Grid k less grid k − 1, in column m of the tableau.
+  Vector difference(int m, int k) const { return columns_[m][k - m] - columns_[m][k - m - 1]; }
+
+  /// 2^p − 1 and p of the power that column m eliminates.
+  int power(int m) const { return judgement_.even ? 2 * (m + 1) : m + 2; }
+  double divisor(int m) const { return std::exp2(power(m)) - 1; }
+
+  /// Column m + 1 from column m: T + (T − T of the coarser grid)/(2^p − 1).
+  void eliminate() {
+    for (int m = 0; m < last_; ++m) {
+      columns_.emplace_back();
+      for (int k = m + 1; k <= last_; ++k)
+        columns_[m + 1].push_back(columns_[m][k - m] + difference(m, k) / divisor(m));
+    }
+  }
+
+  /// The last difference of column m over the one before, as far as they are parallel.
+  double shrinking(int m) const {
+    const Vector now = weighted(difference(m, last_)), before = weighted(difference(m, last_ - 1));
+    const double square = before.squaredNorm();
+    return square > 0 ? now.dot(before) / square : 0;
+  }
+
+  bool seen(int m) const { return size(difference(m, last_)) > 100 * judgement_.noise; }
+
+  /// Where odd powers are excluded, none shows.
+  bool even_as_told() const {
+    if (!judgement_.even || last_ < 3 || !seen(1)) return true;
+    const double ratio = shrinking(1);
+    return ratio > 1. / 24 && ratio < 1. / 11;
+  }
+
+  /// What is told are the values before the last elimination. Their column shrinks no less than the
+  /// one before it was seen to, and that tells their errors: where rounding hides the powers, or a
+  /// layer thinner than h, these are as large as the differences. Errors that happen to vanish on
+  /// this grid are kept from a part of what they were on the one before.
+  std::vector<double> corrections() const {
+    const int m = last_ - 1;
+    const double ratio = std::clamp(decay(m - 1), std::exp2(1 - power(m)), 0.75);
+    const double caution = 1.5 * ratio / (1 - ratio);
+    const Vector now = caution * difference(m, last_);
+    const Vector before = caution * divisor(m) * (columns_[m].front() - columns_[m - 1].front());
+    const double smaller = size(before) > 0 ? std::min(1., size(now) / size(before)) : 1;
+    auto errors = sizes(now);
+    const auto earlier = sizes(0.4 * smaller * before);
+    for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = std::max(errors[i], earlier[i]);
+    return errors;
+  }
+
+  /// By how much the differences of a column shrink.
+  double decay(int m) const {
+    const double before = weighted(difference(m, last_ - 1)).norm();
+    return before > 0 ? weighted(difference(m, last_)).norm() / before : 1;
+  }
+
+  /// The finest grid as it is; its error from how the last three differences shrink.
+  Extrapolated plain(Extrapolated& out) const {
+    out.values = columns_[0].back();
+    if (last_ < 4) return out;
+    const auto norm = [&](int k) { return weighted(difference(0, k)).norm(); };
+    const double before = norm(last_ - 1);
+    const double ratio = std::max(norm(last_) / before, before / norm(last_ - 2));
+    if (!(ratio < 0.75)) return out;
+    out.errors = sizes(3 * ratio / (1 - ratio) * difference(0, last_));
+    return bounded(out);
+  }
+
+  Vector weighted(const Vector& v) const { return v.cwiseProduct(weights_); }
+
+  std::vector<double> sizes(const Vector& v) const {
+    std::vector<double> out(judgement_.scales.size(), 0);
+    for (const auto& row : judgement_.rows)
+      out[row.quantity] =
+          std::max(out[row.quantity], v.segment(row.first, row.width).norm() * weights_[row.first]);
+    return out;
+  }
+
+  double size(const Vector& v) const { return weighted(v).template lpNorm<Eigen::Infinity>(); }
+
+  Extrapolated bounded(Extrapolated& out) const {
+    for (auto& error : out.errors) error = std::max(error, judgement_.noise);
+    return std::move(out);
+  }
+
+  Judgement judgement_;
+  int last_;
+  Vector weights_;
+  std::vector<std::vector<Vector>> columns_;
+};
+
+}  // namespace pyrod

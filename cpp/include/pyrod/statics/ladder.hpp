@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The accuracy ladder: equilibria on ever finer grids, each started from the one below, and
+/// what they tend to, until the error wanted is reached (docs/theory.md, "The ladder").
+#pragma once
+
+#include <pyrod/statics/free_turn.hpp>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace pyrod {
+
+/// What the ladder needs of a scene. On level k every edge is cut in 2ᵏ; the solution of a level is
+/// that seen from level 0, see `seen`.
+struct LadderScene {
+  std::span<const Rod<Spatial>> rods;  ///< on level 0
+  /// tolerance: the last step [rad] that Newton's method may leave unfollowed.
+  std::function<SceneSolution(int level, bool from_below, double tolerance)> solve;
+};
+
+struct Reached {
+  std::array<double, quantities> errors;  ///< estimates, relative; see `Ladder::scales`
+  double order = 0;                       ///< of the grids' own errors, as observed
+  bool regular = false;                   ///< whether that is two, so that extrapolation holds
+  int levels = 0, edges = 0;              ///< solves, and edges of the finest grid
+};
+
+struct Climbed {
+  SceneSolution solution;  ///< at the vertices and edges of the coarsest grid
+  Reached reached;
+};
+
+class Ladder {
+ public:
+  /// tolerance: largest relative error wanted of vertices and sums. most_edges: of all rods
+  /// together on the finest grid; three levels are climbed in any case.
+  Ladder(LadderScene scene, double tolerance, int most_edges)
+      : scene_(std::move(scene)), tolerance_(tolerance), most_edges_(most_edges) {
+    require(tolerance > 0 && tolerance <= 0.1, "tol: must lie in (0, 0.1], got ", tolerance);
+    double stiffness = 0, count = 0;
+    for (const auto& rod : scene_.rods) {
+      edges_ += rod.edges();
+      longest_ = std::max(longest_, rod.edges());
+      length_ = std::max(length_, rod.grid.length());
+      for (const auto& C : rod.bending) stiffness += std::log(C.maxCoeff()), ++count;
+    }
+    force_ = std::exp(stiffness / count) / (length_ * length_);
+  }
+
+  Climbed climb() {
+    bool from_below = false;
+    for (int level = 0;; ++level) {
+      solution_ = scene_.solve(level, from_below, step_tolerance());
+      note_record();
+      if (solution_.status == Status::interrupted) return told(level);
+      if (solution_.converged()) {
+        add(1 << level);
+        judge(level);
+        if (best_.error <= tolerance_) return told(level);
+      } else {
+        forget();
+      }
+      from_below = solution_.converged();
+      if (exhausted(level)) return told(level);
+    }
+  }
+
+ private:
+  /// The best that the rungs said so far.
+  struct Best {
+    double error = std::numeric_limits<double>::infinity();
+    Extrapolated vertices;
+    int level = -1;
+    std::size_t rungs = 0;  ///< that it is from
+  };
+
+  /// Newton's steps s are followed by such of C s², and C has been seen: the last step may be so
+  /// large that what follows is nothing beside rounding, and the error wanted.
+  double step_tolerance() const {
+    if (quadratic_ == 0) return 1e-8;
+    const double left = std::min(1e-13, 0.01 * tolerance_);
+    return std::clamp(std::sqrt(left / quadratic_), 1e-12, 1e-4);
+  }
+
+  /// Along a motion that costs nothing small steps are rounding, and tell nothing of C.
+  void note_record() {
+    const auto& steps = solution_.record;
+    const double least = solution_.neutral ? 1e-3 : 0;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      const double s = steps[i - 1].step, next = steps[i].step;
+      if (s > least && s < 0.1 && steps[i - 1].fraction == 1 && next > 1e-11)
+        quadratic_ = std::max(quadratic_, next / (s * s));
+    }
+    auto& all = record_;
+    all.insert(all.end(), solution_.record.begin(), solution_.record.end());
+    descents_ += solution_.descents;
+    load_steps_ += solution_.load_steps;
+  }
+
+  /// An equilibrium of another kind than those below begins the ladder anew.
+  void add(int stride) {
+    for (std::size_t i = 0; i < solution_.rods.size(); ++i)
+      take_curvatures(solution_.rods[i], scene_.rods[i]);
+    if (solution_.descents > 0 || solution_.index != index_) forget();
+    index_ = solution_.index;
+    rungs_.emplace_back(solution_, stride, rungs_.empty() ? nullptr : &rungs_.back());
+    if (rungs_.size() > 1 && solution_.neutral)
+      undo_free_turn(rungs_.back(), rungs_[rungs_.size() - 2], solution_);
+    numbers_.push_back(rungs_.back().vertices());
+  }
+
+  void forget() {
+    rungs_.clear();
+    numbers_.clear();
+    best_ = {};
+  }
+
+  /// K from the moments: the turn of the half cell at an end is that at its middle.
+  static void take_curvatures(RodSolution<Spatial>& seen, const Rod<Spatial>& rod) {
+    for (std::size_t j = 0; j < seen.strains.K.size(); ++j) {
+      seen.material_moment[j] = unrotate(seen.vertex_frames[j], seen.moment[j]);
+      seen.strains.K[j] = rod.K0[j] + seen.material_moment[j].cwiseQuotient(rod.bending[j]);
+    }
+  }
+
+  void judge(int level) {
+    if (rungs_.size() < 3) return;
+    const auto all = scales();
+    auto found = Extrapolation(numbers_, {rungs_[0].vertex_rows(),
+                                          {all.begin(), all.begin() + vertex_quantities},
+                                          rungs_.back().one_axis,
+                                          noise()})
+                     .result();
+    order_ = found.order;
+    if (found.error() > best_.error) return;
+    best_ = {found.error(), std::move(found), level, rungs_.size()};
+  }
+
+  /// What the rungs up to the best one say of edges.
+  Extrapolated judge_edges() const {
+    std::vector<Vector> edges;
+    for (std::size_t i = 0; i < best_.rungs; ++i)
+      if (rungs_[i].stride > 1) edges.push_back(rungs_[i].edges());
+    const auto all = scales();
+    const Judgement judgement{rungs_[0].edge_rows(),
+                              {all.begin() + vertex_quantities, all.end()},
+                              rungs_[best_.rungs - 1].one_axis,
+                              noise()};
+    Extrapolation extrapolation(edges, judgement);
+    return best_.vertices.regular ? extrapolation.trusted() : extrapolation.result();
+  }
+
+  /// Errors of positions are relative to the longest rod, of frames in radians; others to the
+  /// largest value of their kind, unless all are nothing beside EI/L², EI/L or 1/L.
+  std::array<double, quantities> scales() const {
+    std::array<double, quantities> size{};
+    const auto look = [&](Quantity what, const double* numbers, int width) {
+      if (what == Quantity::unjudged) return;
+      auto& s = size[std::size_t(what)];
+      s = std::max(s, Eigen::Map<const Vector>(numbers, width).norm());
+    };
+    const auto& rung = rungs_.back();
+    visit_vertices(rung.rods, rung.nodes, look);
+    visit_edges(rung.rods, look);
+    const auto set = [&](Quantity what, double value) { size[std::size_t(what)] = value; };
+    const auto at_least = [&](Quantity what, Quantity like, double unit) {
+      const double found = std::max(size[std::size_t(what)], size[std::size_t(like)]);
+      size[std::size_t(what)] = found > 1e-8 * unit ? found : unit;
+    };
+    set(Quantity::positions, length_);
+    set(Quantity::frames, 0.5), set(Quantity::edge_frames, 0.5);  // a turn is twice its quaternion
+    set(Quantity::strains, 1);
+    at_least(Quantity::curvatures, Quantity::curvatures, 1 / length_);
+    for (const auto what : {Quantity::reactions, Quantity::edge_forces, Quantity::forces})
+      at_least(what, Quantity::forces, force_);
+    for (const auto what : {Quantity::reaction_moments, Quantity::moments})
+      at_least(what, Quantity::moments, force_ * length_);
+    const double energy = rung.energy();
+    set(Quantity::energy, energy > 1e-16 * force_ * length_ ? energy : force_ * length_);
+    return size;
+  }
+
+  /// Relative rounding errors on the finest grid, as observed.
+  double noise() const {
+    return 16 * std::numeric_limits<double>::epsilon() * longest_ * rungs_.back().stride;
+  }
+
+  /// At most_edges, or where levels are no better than one before: by rounding, which along a
+  /// motion that costs next to nothing is large.
+  bool exhausted(int level) const {
+    const int worse = best_.level < 0 ? 0 : level - best_.level;
+    const bool rounding = (worse > 1 && best_.error < 1e-8) || (worse > 3 && best_.error < 1e-4);
+    return level >= 2 && (rounding || edges_ > (most_edges_ >> (level + 1)));
+  }
+
+  Climbed told(int level) {
+    Climbed out;
+    out.reached.errors.fill(std::numeric_limits<double>::infinity());
+    Rung rung = rungs_.empty() ? Rung(solution_, 1 << level, nullptr) : rungs_.back();
+    if (best_.level >= 0) {
+      out.reached.regular = best_.vertices.regular;
+      const auto edges = judge_edges();
+      rung.set(best_.vertices.values, edges.values);
+      std::copy(best_.vertices.errors.begin(), best_.vertices.errors.end(),
+                out.reached.errors.begin());
+      std::copy(edges.errors.begin(), edges.errors.end(),
+                out.reached.errors.begin() + vertex_quantities);
+    }
+    out.reached.order = order_;
+    out.reached.levels = level + 1;
+    out.reached.edges = edges_ << level;
+    finish(rung);
+    if (solution_.converged() && !(best_.error <= tolerance_))
+      solution_.status = Status::not_accurate;
+    out.solution = std::move(solution_);
+    return out;
+  }
+
+  /// Puts the rung in the place of the finest grid, with what follows from its numbers.
+  void finish(Rung& rung) {
+    for (std::size_t i = 0; i < rung.rods.size(); ++i) complete(rung.rods[i], i);
+    solution_.rods = std::move(rung.rods);
+    solution_.nodes = std::move(rung.nodes);
+    solution_.record = std::move(record_);
+    solution_.descents = descents_;
+    solution_.load_steps = load_steps_;
+  }
+
+  void complete(RodSolution<Spatial>& rod, std::size_t i) const {
+    rod.material_force.resize(rod.force.size());
+    for (std::size_t j = 0; j < rod.force.size(); ++j)
+      rod.material_force[j] = unrotate(rod.curve.frames[j], rod.force[j]);
+    take_curvatures(rod, scene_.rods[i]);
+    for (std::size_t j = 0; j < rod.load.size(); ++j)
+      rod.load_moment -= rod.curve.positions[j].cross(rod.load[j]);
+  }
+
+  LadderScene scene_;
+  double tolerance_;
+  int most_edges_;
+  double length_ = 0, force_ = 0;  ///< units of the scene
+  int edges_ = 0, longest_ = 0;    ///< on level 0: of all rods, and of that with most
+  std::vector<Rung> rungs_;
+  std::vector<Vector> numbers_;  ///< of the rungs' vertices
+  SceneSolution solution_;
+  std::vector<Iteration> record_;
+  Best best_;
+  double quadratic_ = 0;  ///< C above; 0: not seen yet
+  int index_ = -1, descents_ = 0, load_steps_ = 0;
+  double order_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace pyrod

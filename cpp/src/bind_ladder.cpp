@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job.hpp"
+
+#include <pyrod/rod/refinement.hpp>
+#include <pyrod/statics/cantilever_levels.hpp>
+#include <pyrod/statics/network_levels.hpp>
+
+#include <mutex>
+
+namespace pyrod::bind {
+
+namespace {
+
+using Start = std::optional<NetworkStart>;
+
+/// One level of a climb, whatever the scene is.
+using Level = std::function<SceneSolution(int level, bool from_below, const Start&, const Options&,
+                                          const NetworkOptions&, const Trace&)>;
+
+/// What Python makes of a level, kept until it makes the next.
+class Source {
+ public:
+  explicit Source(py::function make) : make_(std::move(make)) {}
+
+  /// Takes the lock of Python itself.
+  template <class Read>
+  auto operator()(int level, const Read& read) const {
+    const py::gil_scoped_acquire gil;
+    *made_ = make_(level);
+    return read(made_->cast<py::tuple>());
+  }
+
+ private:
+  py::function make_;
+  std::shared_ptr<py::object> made_ = std::make_shared<py::object>();
+};
+
+/// A scene whose levels are made once, when a climb first needs them. One climb at a time: others
+/// wait, without the lock of Python.
+class ReadyLadder {
+ public:
+  ReadyLadder(std::vector<Rod<Spatial>> rods, Level level)
+      : rods_(std::move(rods)), level_(std::move(level)) {}
+
+  /// Of all rods, on level 0.
+  int edges() const {
+    int sum = 0;
+    for (const auto& rod : rods_) sum += rod.edges();
+    return sum;
+  }
+
+  Climbed climb(const Start& start, Options options, const NetworkOptions& more, double tolerance,
+                const Trace& trace) {
+    const std::lock_guard lock(busy_);
+    const auto solve = [&](int level, bool from_below, double step) {
+      options.tolerance = step;
+      return level_(level, from_below, start, options, more, trace);
+    };
+    return Ladder({rods_, solve}, tolerance, options.max_edges).climb();
+  }
+
+ private:
+  std::vector<Rod<Spatial>> rods_;
+  Level level_;
+  std::mutex busy_;
+};
+
+/// A rod and its loads on halved edges, made without Python: where no functions of arc length are
+/// to be asked.
+class Halving {
+ public:
+  Halving(const Rod<Spatial>& rod, const GridLoads& loads) : given_(loads), rod_(rod) {}
+
+  LoadedRod operator()(int level) {
+    for (; level_ < level; ++level_) rod_ = halved(rod_);
+    loads_ = level == 0 ? given_.loads : given_.on(rod_.grid);
+    return {rod_, loads_};
+  }
+
+ private:
+  GridLoads given_;
+  Rod<Spatial> rod_;
+  Loads<Spatial> loads_{1};
+  int level_ = 0;
+};
+
+using LoadedLevel = std::function<LoadedRod(int level)>;
+
+template <class Space, class Model>
+Level cantilever_level(const LoadedLevel& loaded, const Clamp& clamp) {
+  auto levels = std::make_shared<CantileverLevels<Space, Model>>(loaded, clamp);
+  return [levels, clamp](int level, bool from_below, const Start& start, const Options& options,
+                         const NetworkOptions&, const Trace& trace) {
+    const auto frames = start ? restricted<Space>(start->frames, clamp.frame)
+                              : std::vector<typename Space::Rotation>{};
+    return levels->solve(level, from_below, frames, options, trace);
+  };
+}
+
+/// The same of a network.
+class NetworkHalving {
+ public:
+  NetworkHalving(const PlacedNetwork& given, std::vector<GridLoads> loads)
+      : network_(given.network), plane_(given.plane), given_(std::move(loads)) {}
+
+  PlacedNetwork operator()(int level) {
+    if (level < level_) network_ = first_, level_ = 0;
+    if (level > 0 && level_ == 0) first_ = network_;
+    for (; level_ < level; ++level_) {
+      for (auto& rod : network_.rods) rod = halved(rod);
+      for (auto& a : network_.attachments) a.vertex *= 2;
+    }
+    for (std::size_t i = 0; level > 0 && i < network_.rods.size(); ++i)
+      network_.loads[i] = given_[i].on(network_.rods[i].grid);
+    return {network_, plane_};
+  }
+
+ private:
+  Network<Spatial> network_, first_;
+  Clamp plane_;
+  std::vector<GridLoads> given_;
+  int level_ = 0;
+};
+
+using PlacedLevel = std::function<PlacedNetwork(int level)>;
+
+template <class Space>
+Level network_level(const PlacedLevel& placed) {
+  auto levels = std::make_shared<NetworkLevels<Space>>(placed);
+  return [levels](int level, bool from_below, const Start& start, const Options& options,
+                  const NetworkOptions& more, const Trace& trace) {
+    return levels->solve(level, from_below, start, options, more, trace);
+  };
+}
+
+/// `make`: gives the rod and the loads of a level above 0; none: edges are halved.
+std::unique_ptr<ReadyLadder> of_cantilever(const Rod<Spatial>& rod, const GridLoads& loads,
+                                           const std::optional<py::function>& make,
+                                           Dimension dimension, ModelKind model,
+                                           const Array& position, const Array& frame) {
+  const Clamp clamp{vector3(position, "position"), quaternion(frame, "frame")};
+  LoadedLevel loaded;
+  if (make)
+    loaded = [source = Source(*make)](int level) {
+      return source(level, [](const py::tuple& made) {
+        return LoadedRod{made[0].cast<const Rod<Spatial>&>(),
+                         made[1].cast<const GridLoads&>().loads};
+      });
+    };
+  else
+    loaded = [halving = std::make_shared<Halving>(rod, loads)](int level) {
+      return (*halving)(level);
+    };
+  const auto level = in_space(dimension, [&]<class Space>(Space) {
+    return with_model(
+        model, [&]<class Model>(Model) { return cantilever_level<Space, Model>(loaded, clamp); });
+  });
+  return std::make_unique<ReadyLadder>(std::vector{rod}, level);
+}
+
+/// `make`: gives the network of a level above 0 and its plane; none: edges are halved.
+std::unique_ptr<ReadyLadder> of_network(const Network<Spatial>& network, const Array& origin,
+                                        const Array& frame, const std::vector<GridLoads>& loads,
+                                        const std::optional<py::function>& make,
+                                        Dimension dimension) {
+  const Clamp plane{vector3(origin, "origin"), quaternion(frame, "frame")};
+  PlacedLevel placed;
+  if (make)
+    placed = [source = Source(*make)](int level) {
+      return source(level, [](const py::tuple& made) {
+        return PlacedNetwork{
+            made[0].cast<const Network<Spatial>&>(),
+            {vector3(made[1].cast<Array>(), "origin"), quaternion(made[2].cast<Array>(), "frame")}};
+      });
+    };
+  else
+    placed = [halving = std::make_shared<NetworkHalving>(PlacedNetwork{network, plane}, loads)](
+                 int level) { return (*halving)(level); };
+  return std::make_unique<ReadyLadder>(network.rods, in_space(dimension, [&]<class Space>(Space) {
+                                         return network_level<Space>(placed);
+                                       }));
+}
+
+Job ladder_job(const py::object& self, const std::optional<py::tuple>& start,
+               const Options& options, bool stable, bool eigenvalue, double tolerance) {
+  auto& ladder = self.cast<ReadyLadder&>();
+  const auto from = start_of(start);
+  if (from)
+    require_count(Eigen::Index(from->frames.size()), ladder.edges(), "start", "one frame per edge");
+  const NetworkOptions more{stable, eigenvalue};
+  const auto work = [=, &ladder](const Trace& trace) -> Outcome {
+    auto climbed = ladder.climb(from, options, more, tolerance, trace);
+    return {std::move(climbed.solution), climbed.reached};
+  };
+  return {work, {self}};
+}
+
+}  // namespace
+
+void ladder(py::module_& module) {
+  py::class_<ReadyLadder>(module, "Ladder", "A scene on ever finer grids.")
+      .def_static("of_cantilever", &of_cantilever, py::arg("rod"), py::arg("loads"),
+                  py::arg("make"), py::arg("dimension"), py::arg("model"), py::arg("position"),
+                  py::arg("frame"))
+      .def_static("of_network", &of_network, py::arg("network"), py::arg("origin"),
+                  py::arg("frame"), py::arg("loads"), py::arg("make"), py::arg("dimension"))
+      .def("job", &ladder_job, py::arg("start"), py::arg("options"), py::arg("stable"),
+           py::arg("eigenvalue"), py::arg("tolerance"));
+}
+
+}  // namespace pyrod::bind

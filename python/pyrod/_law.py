@@ -1,0 +1,178 @@
+"""What a rod is made of as functions of arc length, from which it is made on any grid."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import dataclass, replace
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from pyrod._along import Curvature, Model, Sections, stiffness
+from pyrod._immutable import Array
+from pyrod._sampling import sampled
+from pyrod.section import Section
+
+Jumps = tuple[list[int], Array]
+"""Inner vertices, and for each (4, 3): bending and K0 before it, bending and K0 behind it."""
+NO_JUMPS: Jumps = ([], np.zeros((0, 4, 3)))
+
+
+class Material(NamedTuple):
+    """What a rod of n edges is made of."""
+
+    bending: Array  #: (n + 1, 3) at the vertices
+    stretching: Array  #: (n, 3) of the edges
+    K0: Array  #: (n + 1, 3) at the vertices
+    mass: Array  #: (n,) of the edges
+    jumps: Jumps = NO_JUMPS
+
+
+class Law(Protocol):
+    """Tells what a rod is made of for edges of lengths ``h``."""
+
+    @property
+    def portable(self) -> bool: ...
+
+    @property
+    def asks(self) -> bool: ...
+
+    def on(self, h: Array) -> Material: ...
+
+    def marked(self, at: Array) -> Law: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Made:
+    """Sections and curvature as a user gives them; sequences belong to edges of lengths ``base``.
+
+    Between vertices for which it is given the curvature is linear. ``marks``: arc lengths at which
+    a function may jump; it is asked on both sides.
+    """
+
+    section: Sections
+    curvature: Curvature
+    base: Array
+    marks: tuple[float, ...] = ()
+
+    def on(self, h: Array) -> Material:
+        bending, stretching, mass, _ = self.stiffness(h)
+        return self._with_jumps(h, Material(bending, stretching, self._K0(h), mass))
+
+    def stiffness(self, h: Array) -> tuple[Array, Array, Array, Model]:
+        return stiffness(self._sections(h), h)
+
+    def _sections(self, h: Array) -> Sections:
+        if not isinstance(self.section, (list, tuple)) or h is self.base:
+            return self.section
+        s = _arc_lengths(h)
+        return [self.section[i] for i in _edges_at((s[1:] + s[:-1]) / 2, self.base)]
+
+    def _K0(self, h: Array) -> Array:
+        s = _arc_lengths(h)
+        if not callable(self.curvature) and h is not self.base:
+            given = np.asarray(self.curvature, dtype=np.float64)
+            if given.ndim == 2:
+                return _interpolated(s, _arc_lengths(self.base), given)
+        return sampled(self.curvature, s, "curvature", "vertex")
+
+    def _with_jumps(self, h: Array, smooth: Material) -> Material:
+        """The cells of vertices where something jumps are halves of either side."""
+        at = self._jumping_vertices(h)
+        if not len(at):
+            return smooth
+        s = _arc_lengths(h)
+        sides = np.array([[*self._side(h, s, j, -1), *self._side(h, s, j, 1)] for j in at])
+        change = np.abs(sides[:, :2] - sides[:, 2:])
+        real = (change > 1e-6 * np.abs(sides[:, :2]).max(axis=2, keepdims=True)).any(axis=(1, 2))
+        at, sides = at[real], sides[real]
+        before, behind = h[at - 1][:, None], h[at][:, None]
+        bending, K0 = smooth.bending.copy(), smooth.K0.copy()
+        compliance = before / sides[:, 0] + behind / sides[:, 2]
+        bending[at] = (before + behind) / compliance
+        K0[at] = (before * sides[:, 1] + behind * sides[:, 3]) / (before + behind)
+        return smooth._replace(bending=bending, K0=K0, jumps=(at.tolist(), sides))
+
+    def _jumping_vertices(self, h: Array) -> Array:
+        s, places = _arc_lengths(h), []
+        if isinstance(self.section, (list, tuple)):
+            ends = _arc_lengths(self.base)[1:-1]
+            pairs = zip(self.section, self.section[1:])  # noqa: B905  one end fewer
+            places += [end for end, (a, b) in zip(ends, pairs, strict=True) if a != b]
+        if callable(self.section) or callable(self.curvature):
+            places += self.marks
+        near = np.searchsorted(s, np.array(places) - 1e-9 * s[-1]).astype(int)
+        return np.unique(near[(near > 0) & (near < len(h))])
+
+    def _side(self, h: Array, s: Array, j: int, side: int) -> tuple[Array, Array]:
+        """Stiffness and curvature just before or behind vertex j."""
+        edge = j - 1 if side < 0 else j
+        place = s[j] + side * 1e-9 * s[-1]
+        section = self._sections(h)
+        if callable(section):
+            section = section(place)
+        elif not isinstance(section, Section):
+            section = section[edge]
+        K0 = self.curvature(place) if callable(self.curvature) else self._K0(h)[j]
+        return np.array(section.bending), np.array(K0, dtype=np.float64)
+
+    @property
+    def asks(self) -> bool:
+        """Whether a finer grid needs to ask it, for more than means between vertices."""
+        return not isinstance(self.section, Section) or callable(self.curvature)
+
+    def marked(self, at: Array) -> Made:
+        """The same with more places where a function may jump."""
+        functions = callable(self.section) or callable(self.curvature)
+        if not functions or set(np.ravel(at)) <= set(self.marks):
+            return self
+        return replace(self, marks=tuple(np.union1d(self.marks, at).tolist()))
+
+    @property
+    def portable(self) -> bool:
+        """Whether it can be pickled: functions may be local ones."""
+        if not callable(self.section) and not callable(self.curvature):
+            return True
+        try:
+            pickle.dumps((self.section, self.curvature))
+        except (pickle.PicklingError, AttributeError, TypeError):
+            return False
+        return True
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """The arrays of a discrete rod: compliance and curvature are linear between its vertices."""
+
+    base: Array
+    bending: Array
+    stretching: Array
+    K0: Array
+    mass: Array
+    portable = True
+    asks = False
+
+    def on(self, h: Array) -> Material:
+        s, base = _arc_lengths(h), _arc_lengths(self.base)
+        edge = _edges_at((s[1:] + s[:-1]) / 2, self.base)
+        return Material(
+            1 / _interpolated(s, base, 1 / self.bending),
+            self.stretching[edge],
+            _interpolated(s, base, self.K0),
+            self.mass[edge],
+        )
+
+    def marked(self, at: Array) -> Table:
+        return self
+
+
+def _arc_lengths(h: Array) -> Array:
+    return np.concatenate([[0.0], np.cumsum(h)])
+
+
+def _edges_at(s: Array, h: Array) -> Array:
+    return np.clip(np.searchsorted(_arc_lengths(h), s, "right") - 1, 0, len(h) - 1)
+
+
+def _interpolated(s: Array, at: Array, values: Array) -> Array:
+    return np.column_stack([np.interp(s, at, values[:, i]) for i in range(values.shape[1])])

@@ -1,0 +1,109 @@
+"""Many scenes at once."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable
+from time import perf_counter
+from typing import Any
+
+from pyrod import _core
+from pyrod._core import Options
+from pyrod._jobs import How, Job
+from pyrod._solve import judge
+from pyrod.equilibrium import Equilibrium
+from pyrod.errors import NotConverged
+from pyrod.scene import Scene
+
+Progress = Callable[[int, int], Any]
+
+
+def solve_many(
+    scenes: Iterable[Scene],
+    options: Options | None = None,
+    *,
+    tol: float | None = None,
+    starts: Iterable[Any] | None = None,
+    threads: int = 0,
+    strict: bool = True,
+    stable: bool = True,
+    eigenvalue: bool = False,
+    progress: bool | Progress = False,
+) -> list[Equilibrium]:
+    """Equilibria of many scenes, on several threads and without Python's lock.
+
+    The results are those of `solve`, bit for bit, whatever the number of threads.
+
+    Parameters
+    ----------
+    scenes : any number. Scenes that are the same object wait for each other if ``tol`` is given.
+    starts : one start per scene, see `solve`; default: none.
+    threads : default 0: as many as the machine has cores.
+    strict : raise `NotConverged` for the first that fails; all results are in ``.results``.
+    progress : True: a line on standard error; or a function of the numbers of scenes that are done
+        and of all.
+    options, tol, stable, eigenvalue : see `solve`.
+
+    Raises
+    ------
+    ValueError : a scene or a start that cannot be solved; its number is in the message.
+    KeyboardInterrupt : Ctrl-C is looked for between scenes.
+    """
+    scenes = list(scenes)
+    starts = [None] * len(scenes) if starts is None else list(starts)
+    if len(starts) != len(scenes):
+        raise ValueError(f"starts: expected {len(scenes)}, one per scene, got {len(starts)}")
+    how = How(options or Options(), stable, eigenvalue, tol)
+    began = perf_counter()
+    jobs = [_job(i, *args, how) for i, args in enumerate(zip(scenes, starts, strict=True))]
+    show = _shown(progress, len(jobs))
+    found = _core.run_all([job.compiled for job in jobs], threads, show)
+    others = {i: other for i, job in enumerate(jobs) if (other := job.again(found[i]))}
+    better = _core.run_all([job.compiled for job in others.values()], threads, None)
+    for (i, other), one in zip(others.items(), better, strict=True):
+        jobs[i], found[i] = other, one
+    each = (perf_counter() - began) / max(len(jobs), 1)
+    results = [job.equilibrium(one, each) for job, one in zip(jobs, found, strict=True)]
+    for result in results:
+        judge(result, strict=False, stable=stable)
+    if strict:
+        _refuse_failures(results)
+    return results
+
+
+def _job(number: int, scene: Scene, start: Any, how: How) -> Job:
+    try:
+        return Job(scene, start, how)
+    except (ValueError, TypeError) as error:
+        raise type(error)(f"scene {number}: {error}") from error
+
+
+def _refuse_failures(results: list[Equilibrium]) -> None:
+    for result in results:
+        if not result.converged:
+            raise NotConverged(result, results)
+
+
+def _shown(progress: bool | Progress, total: int) -> Callable[[int], Any] | None:
+    if not progress:
+        return None
+    if callable(progress):
+        return lambda done: progress(done, total)
+    return _Bar(total)
+
+
+class _Bar:
+    """A line on standard error, not more often than the eye can see."""
+
+    def __init__(self, total: int) -> None:
+        self._total = total
+        self._shown = float("-inf")
+
+    def __call__(self, done: int) -> None:
+        now = perf_counter()
+        if done < self._total and now - self._shown < 0.1:
+            return
+        self._shown = now
+        bar = "#" * (40 * done // max(self._total, 1))
+        end = "\n" if done == self._total else ""
+        print(f"\r[{bar:40}] {done}/{self._total} scenes", end=end, file=sys.stderr, flush=True)

@@ -1,0 +1,63 @@
+"""How far a solution is from that of the continuous rod."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any
+
+from pyrod._immutable import Immutable
+
+_QUANTITIES = (
+    "positions",
+    "frames",
+    "curvatures",
+    "forces",
+    "moments",
+    "energy",
+    "reactions",
+    "reaction_moments",
+    "edge_frames",
+    "edge_forces",
+    "strains",
+)
+AT_EDGES = _QUANTITIES[-3:]
+
+
+@dataclass(frozen=True, eq=False)
+class Accuracy(Immutable):
+    """What was asked for, what was reached, and how.
+
+    The scene is solved on its edges, on these halved, and so on, and what the grids tend to is
+    extrapolated (docs/theory.md, "The ladder"). Arrays belong to the vertices and edges of the
+    coarsest grid. Errors are those of the discretisation, not of the model.
+    """
+
+    tol: float
+    errors: dict[str, float]
+    """Estimates of the largest errors: of ``positions`` relative to the longest rod, ``frames`` and
+    ``edge_frames`` in radians, ``strains`` (Gamma) as they are, of all others relative to the
+    largest value of their kind. ``tol`` is for all but those of the edges, which are told apart.
+    """
+    order: float  #: with which the grids converge, as observed; 2 is what it should be
+    regular: bool  #: whether it is, so that extrapolation could be trusted
+    grids: int  #: on which the scene was solved
+    finest_edges: int  #: of all rods together, on the last of them
+
+    @property
+    def reached(self) -> float:
+        """The largest of the errors that ``tol`` is for."""
+        return max(value for name, value in self.errors.items() if name not in AT_EDGES)
+
+    def __str__(self) -> str:
+        reached = f"{self.reached:.1e}" if isfinite(self.reached) else "unknown"
+        return f"error {reached} on {self.grids} grids"
+
+
+def accuracy_of(tol: float | None, reached: tuple[Any, ...] | None) -> Accuracy | None:
+    """What the compiled ladder says of errors."""
+    if tol is None or reached is None:
+        return None
+    errors = dict(zip(_QUANTITIES, reached[0].tolist(), strict=True))
+    errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
+    return Accuracy(tol, errors, *reached[1:])

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solves one after another: what the first one leaves behind for the next.
+#include "support/allocations.hpp"
+#include "support/cantilever.hpp"
+#include "support/failing_memory.hpp"
+#include "support/models.hpp"
+#include "support/near.hpp"
+#include "support/random.hpp"
+
+using namespace pyrod;
+using namespace pyrod::test;
+
+namespace {
+
+template <class Case>
+using ProblemOf = Equilibrium<typename Case::Space, typename Case::Model>;
+
+template <class Case>
+auto pool_of() -> auto& {
+  using P = ProblemOf<Case>;
+  return Pool<Workspace<LinearisationOf<P>, typename P::State>>::of_this_thread();
+}
+
+/// A problem under a force, and the rest shape to start from.
+template <class Case>
+struct Setting {
+  using Space = typename Case::Space;
+  Rod<Space> rod;
+  ProblemOf<Case> problem;
+  std::vector<typename Space::Rotation> start;
+
+  Setting(Random& random, int n)
+      : rod(random.rod<Space>(n)), problem(rod, Space::Rotation::Identity(), loads(random)) {
+    start = rod.at_rest(Point<Space>::Zero(), Space::Rotation::Identity()).frames;
+  }
+  Loads<Space> loads(Random& random) const {
+    Loads<Space> out(rod.edges());
+    out.add_force(rod.grid, 3 * random.vector<Space::dim>(), 1);
+    return out;
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("the second solve of a shape analyses nothing and allocates nothing", Case,
+                   EACH_MODEL) {
+  Random random(1);
+  pool_of<Case>().clear();
+  const Setting<Case> first(random, 40), second(random, 40);
+  const FailingMemory cholmod;
+  const int before = cholmod.used();
+  const auto one = Newton<ProblemOf<Case>>(first.problem).solve(first.start);
+  REQUIRE(one.converged());
+  const int used = cholmod.used();
+  CHECK(used > before);
+
+  auto start = second.start;
+  const std::size_t allocated = allocations();
+  Eigen::internal::set_is_malloc_allowed(false);  // Eigen's assertions see to it
+  Newton<ProblemOf<Case>> newton(second.problem);
+  const auto two = newton.solve(std::move(start));
+  Eigen::internal::set_is_malloc_allowed(true);
+  const std::size_t record_alone = allocations() - allocated;
+  CHECK(two.converged());
+  CHECK(two.iterations() > 3);
+  CHECK(record_alone == 1);  // the record, which is the caller's
+  CHECK(cholmod.used() == used);
+}
+
+TEST_CASE_TEMPLATE("what a solve finds does not depend on the solves before it", Case, EACH_MODEL) {
+  Random random(2);
+  const Setting<Case> setting(random, 40), other(random, 40), longer(random, 41);
+  const auto solve = [](const Setting<Case>& s) {
+    return Newton<ProblemOf<Case>>(s.problem).solve(s.start);
+  };
+  pool_of<Case>().clear();
+  const auto fresh = solve(setting);
+  solve(other);
+  solve(longer);
+  const auto again = solve(setting);
+  CHECK(pool_of<Case>().size() == 2);
+  CHECK(distance(again.state, fresh.state) == 0);
+  CHECK(again.energy == fresh.energy);
+  CHECK(again.residual == fresh.residual);
+  CHECK(again.record.size() == fresh.record.size());
+}
+
+TEST_CASE_TEMPLATE("two solvers at a time do not share", Space, EACH_SPACE) {
+  using Case = With<Space, Cosserat>;
+  Random random(3);
+  const Setting<Case> outer(random, 20), inner(random, 20);
+  const auto alone = Newton<ProblemOf<Case>>(outer.problem).solve(outer.start);
+  const auto interrupted = [&](const Iteration&) {
+    return Newton<ProblemOf<Case>>(inner.problem).solve(inner.start).converged();
+  };
+  const auto nested = Newton<ProblemOf<Case>>(outer.problem, {}, interrupted).solve(outer.start);
+  CHECK(nested.converged());
+  CHECK(distance(nested.state, alone.state) == 0);
+}

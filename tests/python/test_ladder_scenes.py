@@ -1,0 +1,216 @@
+"""Scenes of all kinds to a tolerance, against much finer grids; loads and stiffness that jump."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from support import ROUND, SOFT, X, Y, Z, extrapolated
+
+import pyrod
+from pyrod import (
+    AccuracyWarning,
+    Clamp,
+    DistributedForce,
+    DistributedMoment,
+    Equilibrium,
+    Force,
+    Gravity,
+    Hinge,
+    Joint,
+    NotConverged,
+    Options,
+    Rod,
+    Scene,
+    Section,
+    Slider,
+    Spring,
+    rotation,
+)
+
+HEAVY = Section(EI1=1.0, EI2=1.3, GJ=0.8, GA1=60.0, GA2=80.0, EA=150.0, mass_per_length=0.5)
+UPWARD = rotation.frame_along(Z, X)
+LEVEL = rotation.frame_along(X, Z)
+
+
+def portal(n: int | None) -> Scene:
+    """Two posts and a beam, rigid and by an axis, under weight and a push."""
+    rods = [
+        Rod.straight(1.0, n, HEAVY).placed((0, 0, 0), UPWARD),
+        Rod.straight(1.0, n, HEAVY).placed((0, 0, 1), LEVEL),
+        Rod.straight(1.0, n, HEAVY).placed((1, 0, 0), UPWARD),
+    ]
+    joints = [Joint(((0, "end"), (1, "start"))), Joint(((1, "end"), (2, "end")), "hinge", axis=Y)]
+    held = [Clamp(at=(0, "start")), Clamp(at=(2, "start"))]
+    return Scene(rods, held, [Gravity(), Force((0.5, 0.3, 0), at=(1, "start"))], joints=joints)
+
+
+def ring(n: int | None) -> Scene:
+    """A ring that is hung up, with a weight."""
+    rod = Rod.precurved(1.0, n, SOFT, (0, 2 * np.pi, 0))
+    return Scene(rod, Clamp(), Force((0, 3, -4), at=0.5), joints=Joint(("start", "end")))
+
+
+def sprung(n: int | None) -> Scene:
+    """A beam on a hinge, a slider and a spring."""
+    held = [
+        Clamp((0, 0, 0), at="start"),
+        Slider((0, 0, 1), at="end"),
+        Spring(20.0, at=0.5),
+    ]
+    return Scene(Rod.straight(1.0, n, SOFT), held, Force((4, 2, -1), at=0.75))
+
+
+def pushed(n: int | None) -> Scene:
+    """A follower force at the end, and pressure that follows."""
+    loads = [
+        Force((2, 1, -1), follower=True),
+        DistributedForce((1.0, 0.5, 0.0), follower=True),
+    ]
+    return Scene(Rod.straight(1.0, n, SOFT), Clamp(), loads)
+
+
+def hinged(n: int | None) -> Scene:
+    held = [Hinge((0, 0, 0)), Hinge((0.1, 0, 0.9), at="end")]
+    return Scene(Rod.straight(1.0, n, ROUND), held, Force((1, 0, 0), at=0.5), "planar")
+
+
+def numbers(result: Equilibrium, stride: int = 1) -> dict[str, np.ndarray]:
+    return {
+        "positions": np.vstack([rod.positions[::stride] for rod in result.rods]),
+        "forces": np.vstack([rod.vertex_force[::stride] for rod in result.rods]),
+        "moments": np.vstack([rod.moment[::stride] for rod in result.rods]),
+        "energy": np.array([[result.energy]]),
+        "reactions": np.vstack([r.force for r in result.reactions]),
+    }
+
+
+@pytest.mark.parametrize("scene", [portal, ring, sprung, pushed, hinged])
+def test_all_scenes_to_a_tolerance(scene: Callable[[int | None], Scene]) -> None:
+    """Against plain solves of up to 1024 edges a rod, each started from that before."""
+    result = pyrod.solve(scene(None), tol=1e-8)
+    assert result.accuracy.regular
+    assert result.accuracy.reached <= 1e-8
+    assert max(result.balance) < 1e-12
+    base = result.rods[0].rod.edges
+    fine = [pyrod.solve(scene(base * 2**k), Options(tolerance=1e-9)) for k in range(3, 7)]
+    found = numbers(result)
+    told = [numbers(other, 2**k) for k, other in enumerate(fine, start=3)]
+    for name, value in found.items():
+        exact = extrapolated([level[name] for level in told])
+        size = 1.0 if name == "positions" else np.linalg.norm(exact, axis=1).max()
+        error = np.linalg.norm(value - exact, axis=1).max() / (size or 1.0)
+        assert error <= max(result.accuracy.errors[name], 1e-9), name
+        plain = np.linalg.norm(told[-1][name] - exact, axis=1).max() / (size or 1.0)
+        assert error < plain or plain < 1e-9  # ... which these grids are farther from
+
+
+# What jumps ---------------------------------------------------------------------------------------
+
+AT = 1 / 3  # never where edges are halved
+
+
+def step_load(s: float) -> tuple[float, float, float]:
+    return (8.0, 3.0, 0.0) if s < AT else (0.0, 0.0, -2.0)
+
+
+def step_couple(s: float) -> tuple[float, float, float]:
+    return (0.0, 2.0, 0.5) if s > AT else (0.0, 0.0, 0.0)
+
+
+def kink(s: float) -> tuple[float, float, float]:
+    return (0.5, abs(s - AT), 0.2)
+
+
+JUMPS = {
+    "force": lambda rod: Scene(rod, Clamp(), [DistributedForce(step_load), Force(X)]),
+    "couple": lambda rod: Scene(rod, Clamp(), [DistributedMoment(step_couple), Force(X)]),
+    "between clamps": lambda rod: Scene(
+        rod, [Clamp(), Clamp((0.1, 0, 0.9), at="end")], DistributedForce(step_load)
+    ),
+}
+
+
+@pytest.mark.parametrize("make", JUMPS.values(), ids=JUMPS)
+def test_a_load_that_jumps_inside_an_edge_is_noticed(make: Callable[[Rod], Scene]) -> None:
+    rod = Rod.straight(1.0, None, SOFT)
+    with pytest.warns(AccuracyWarning, match="order .* instead of 2"):
+        rough = pyrod.solve(make(rod), tol=1e-3)
+    exact = pyrod.solve(make(rod.with_vertices(AT)), tol=1e-10)
+    assert not rough.accuracy.regular
+    assert exact.accuracy.regular
+    assert exact.accuracy.grids <= 6
+    # compared at the end and in sums, which both have
+    tips = np.linalg.norm(rough.tip - exact.tip)
+    energies = abs(rough.energy / exact.energy - 1)
+    assert tips <= rough.accuracy.errors["positions"] <= 1e-3
+    assert 1e-9 < energies <= rough.accuracy.errors["energy"] <= 1e-3
+    size = np.linalg.norm(exact.vertex_force, axis=1).max()
+    for found, true in zip(rough.reactions, exact.reactions, strict=True):
+        error = np.linalg.norm(found.force - true.force) / size
+        assert error <= max(rough.accuracy.errors["reactions"], rough.accuracy.errors["forces"])
+    with pytest.raises(NotConverged) as caught:
+        pyrod.solve(make(rod), Options(max_edges=4096), tol=1e-9)
+    assert caught.value.result.accuracy.reached > 1e-9
+
+
+def test_a_kink_of_the_curvature_with_a_vertex_is_as_good_as_none() -> None:
+    rod = Rod.precurved(1.0, None, SOFT, kink).with_vertices(AT)
+    result = pyrod.solve(Scene(rod, Clamp(), Force((1, 2, -1))), tol=1e-10)
+    assert result.accuracy.regular
+    finer = pyrod.solve(
+        Scene(Rod.precurved(np.repeat(rod.edge_lengths / 4, 4), None, SOFT, kink), Clamp(),
+              Force((1, 2, -1))), tol=1e-10)  # fmt: skip
+    assert np.abs(result.positions - finer.positions[::4]).max() < 2e-10
+
+
+@pytest.mark.parametrize("model", ["cosserat", "inextensible"])
+def test_a_section_that_jumps_needs_a_vertex(model: str) -> None:
+    """Against two rods that are joined there."""
+
+    def section(s: float) -> Section:
+        return SOFT if s < AT else Section(3.0, 2.0, 1.5, 90.0, 70.0, 200.0)
+
+    def rod(n: int | None) -> Rod:
+        return Rod.straight(1.0, n, section, model)
+
+    load = Force((3, 2, -1))
+    with_vertex = pyrod.solve(Scene(rod(None).with_vertices(AT), Clamp(), load), tol=1e-9)
+    first = Rod.straight(AT, 16, SOFT, model)
+    second = Rod.straight(1 - AT, 16, section(1.0), model).placed((0, 0, AT))
+    joined = pyrod.solve(
+        Scene([first, second], Clamp(), Force((3, 2, -1), at=(1, "end")),
+              joints=Joint(((0, "end"), (1, "start")))), tol=1e-10)  # fmt: skip
+    assert with_vertex.accuracy.regular
+    assert np.linalg.norm(with_vertex.tip - joined.rods[1].positions[-1]) < 1e-9
+    assert with_vertex.energy == pytest.approx(joined.energy, rel=2e-9)
+    with pytest.warns(AccuracyWarning):
+        rough = pyrod.solve(Scene(rod(None), Clamp(), load), tol=1e-3)
+    assert np.linalg.norm(rough.tip - with_vertex.tip) <= rough.accuracy.errors["positions"]
+    assert abs(rough.energy / with_vertex.energy - 1) <= rough.accuracy.errors["energy"]
+
+
+def test_a_load_by_edges_holds_for_all_of_an_edge() -> None:
+    values = np.zeros((20, 3))
+    values[:9] = (3.0, -1.0, 0.5)  # up to 0.45, a vertex
+    rod = Rod.straight(1.0, 20, SOFT)
+    by_edges = pyrod.solve(Scene(rod, Clamp(), DistributedForce(values)), tol=1e-10)
+    step = DistributedForce(lambda s: (3.0, -1.0, 0.5) if s < 0.45 else (0, 0, 0))
+    by_function = pyrod.solve(
+        Scene(Rod.straight(1.0, None, SOFT).with_vertices(0.45), Clamp(), step), tol=1e-10
+    )
+    assert by_edges.accuracy.regular
+    assert np.linalg.norm(by_edges.tip - by_function.tip) < 2e-10
+
+
+def test_reactions_are_those_of_the_whole_load() -> None:
+    """A load that no grid samples exactly; its sum and its moment are known."""
+    load = DistributedForce(lambda s: (np.exp(s), 0, 0))
+    rod = Rod.straight(1.0, None, Section(EI1=1e9, EI2=1e9, GJ=1e9))
+    result = pyrod.solve(Scene(rod, Clamp(), load), tol=1e-9)
+    total, lever = np.e - 1, 1.0  # of s exp(s), from 0 to 1
+    assert result.accuracy.errors["reactions"] <= 1e-9
+    assert np.abs(result.reactions[0].force + (total, 0, 0)).max() < 1e-9 * total
+    assert np.abs(result.reactions[0].moment + (0, lever, 0)).max() < 1e-9
+    assert max(result.balance) < 1e-12
