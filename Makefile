@@ -34,11 +34,12 @@ test-cpp: build/tests/configured ## run the C++ tests
 test-python: $(VENV)/package $(VENV)/test-tools ## run the Python tests
 	@$(PY) -m pytest
 
-bench: build/system-packages $(VENV)/package ## run the benchmarks
+bench: build/system-packages $(VENV)/package $(VENV)/test-tools ## run the benchmarks, 20 minutes
 	@cmake --preset release
 	@cmake --build --preset release --target bench
 	@$(PY) benchmarks/call_overhead.py build/release/benchmarks/call
 	@$(PY) benchmarks/curves.py
+	@cd benchmarks && ../$(PY) -m peers.run
 
 sanitize: build/system-packages ## run the C++ tests under the sanitizers
 	@cmake --workflow --preset asan
@@ -81,9 +82,10 @@ $(VENV)/build-tools: build/system-packages
 # The build folder is kept and the build tools are fixed, so that only changed files are compiled.
 $(VENV)/package: $(VENV)/build-tools $(SOURCES)
 	@echo "Building and installing pyrod into $(VENV)"
+	@touch build/package-began
 	@$(PIP) --no-build-isolation --check-build-dependencies \
 	  --config-settings=build-dir=build/python '.[plot]'
-	@touch $@
+	@touch -r build/package-began $@ # what was edited meanwhile is newer
 
 # pyrod is there already: these only add the tools that its extras name.
 $(VENV)/test-tools: pyproject.toml $(VENV)/build-tools | $(VENV)/package

@@ -1,0 +1,1 @@
+"""One module per solver, all with the same interface; `measure.py` says which."""
