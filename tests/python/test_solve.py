@@ -407,7 +407,8 @@ def test_unknown_options_are_refused_with_those_there_are() -> None:
 
 def test_options_as_objects() -> None:
     options = Options(tolerance=1e-6, max_iterations=7)
-    assert repr(options) == "Options(max_iterations=7, tolerance=1e-06, trust=2.0, near=0.5)"
+    shown = "max_iterations=7, tolerance=1e-06, trust=2.0, near=0.5, max_edges=262144"
+    assert repr(options) == f"Options({shown})"
     assert eval(repr(options), vars(pyrod)) == options
     assert pickle.loads(pickle.dumps(options)) == options
     assert options != Options()
@@ -533,6 +534,7 @@ def test_shapes_and_consistency() -> None:
     rows = {name: value.shape for name, value in arrays(result).items()}
     assert rows == {
         **dict.fromkeys(("positions", "K", "moment", "material_moment", "load"), (7, 3)),
+        "vertex_force": (7, 3),
         "load_moment": (3,),
         **dict.fromkeys(("Gamma", "force", "material_force"), (6, 3)),
         "frames": (6, 4),

@@ -160,13 +160,13 @@ def test_a_clip_on_a_vertex_needs_none() -> None:
 
 
 def test_a_new_vertex_bends_as_its_neighbours_do() -> None:
-    """Compliances and rest curvatures of the new cell are means; what was there stays."""
+    """Compliances and rest curvatures are linear between vertices; what was there stays."""
     C = np.array([[1.0, 2.0, 3.0], [3.0, 6.0, 1.0], [2.0, 2.0, 2.0]])
     K0 = np.array([[0.1, 0.2, 0.0], [0.3, 0.4, 0.2], [0.5, 0.0, 0.0]])
     rod = Rod([0.4, 0.6], C, [[7.0, 8.0, 9.0], [4.0, 5.0, 6.0]], K0, "cosserat")
     cut = rod.with_vertices([0.1, 0.4, 1.0])
     assert np.allclose(cut.edge_lengths, [0.1, 0.3, 0.6], rtol=1e-15)
-    assert np.allclose(cut.bending, [C[0], [1.5, 3.0, 1.5], C[1], C[2]], rtol=1e-15)
-    assert np.allclose(cut.K0, [K0[0], [0.2, 0.3, 0.1], K0[1], K0[2]], rtol=1e-15)
+    assert np.allclose(cut.bending, [C[0], [1.2, 2.4, 2.0], C[1], C[2]], rtol=1e-15)
+    assert np.allclose(cut.K0, [K0[0], [0.15, 0.25, 0.05], K0[1], K0[2]], rtol=1e-15)
     assert np.array_equal(cut.stretching, rod.stretching[[0, 0, 1]])
     assert cut == cut.with_vertices(0.1)
