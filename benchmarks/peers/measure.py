@@ -8,7 +8,7 @@ A module in `peers.solvers` has
     solve(problem, name, setting)   a list of `Shape`: one, or some along the way of a relaxation
     warm_up()         optional: what compilers do at the first call
 
-Times are processor times of this process, which the neighbours on a shared machine do not change.
+Times are processor times of this process, which neighbours on the same machine do not change.
 """
 
 from __future__ import annotations

@@ -23,6 +23,7 @@ def rows(repeats: int = 7) -> list[dict[str, Any]]:
     problem = from_reference(CASES["bend"].models["cosserat"].data())
     scenes = [scene(problem, "pyrod", EDGES) for _ in range(RODS)]
     cores = len(os.sched_getaffinity(0))
+    load = os.getloadavg()[0]  # of others: without idle cores nothing gets faster
     times: dict[int, list[float]] = {1: [], cores: []}
     for _ in range(repeats):
         for threads, taken in times.items():
@@ -39,7 +40,7 @@ def rows(repeats: int = 7) -> list[dict[str, Any]]:
             "time_s": median(taken),
             "error": None,
             "converged": True,
-            "note": "wall clock per rod",
+            "note": f"wall clock; load {load:.1f}",
         }
         for threads, taken in times.items()
     ]

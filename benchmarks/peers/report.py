@@ -174,9 +174,16 @@ def scaling(rows: list[Row]) -> str:
 
 def parallel(rows: list[Row]) -> str:
     here = of_case(rows, "parallel")
-    lines = [[row["setting"], time(row["time_s"]), times(here[0]["time_s"] / row["time_s"])]
-             for row in here]  # fmt: skip
-    return markdown_table(["rods", "time per rod", "faster"], lines)
+    lines = [
+        [
+            row["setting"],
+            time(row["time_s"]),
+            times(here[0]["time_s"] / row["time_s"]),
+            row.get("note", ""),
+        ]
+        for row in here
+    ]
+    return markdown_table(["rods", "time per rod", "faster", ""], lines)
 
 
 def _missing(row: Row) -> bool:

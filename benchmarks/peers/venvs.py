@@ -42,12 +42,12 @@ def python(name: str, folder: Path) -> Path | str:
     packages = PEERS[name].packages
     if not packages:
         return Path(sys.executable)
-    shared = folder / packages[0].partition("==")[0].lower()
-    done, interpreter = shared / "installed", shared / "bin" / "python"
+    home = folder / packages[0].partition("==")[0].lower()
+    done, interpreter = home / "installed", home / "bin" / "python"
     if done.exists() and done.read_text() == " ".join(packages):
         return interpreter
     steps = [
-        [sys.executable, "-m", "venv", "--clear", str(shared)],
+        [sys.executable, "-m", "venv", "--clear", str(home)],
         [str(interpreter), "-m", "pip", "install", "--quiet", *packages],
     ]
     for step in steps:

@@ -54,10 +54,14 @@ class Accuracy(Immutable):
         return f"error {reached} on {self.grids} grids"
 
 
-def accuracy_of(tol: float | None, reached: tuple[Any, ...] | None) -> Accuracy | None:
-    """What the compiled ladder says of errors."""
+def accuracy_of(
+    tol: float | None, reached: tuple[Any, ...] | None, network: bool
+) -> Accuracy | None:
+    """What the compiled ladder says of errors; of a cantilever it has no reactions."""
     if tol is None or reached is None:
         return None
     errors = dict(zip(_QUANTITIES, reached[0].tolist(), strict=True))
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
+    if not network:
+        errors["reactions"] = max(errors["forces"], errors["moments"])
     return Accuracy(tol, errors, *reached[1:])

@@ -92,11 +92,19 @@ def test_tables_of_models_sizes_and_threads() -> None:
         row("pyrod", 1e-4, 1e-4, case="model-cost", setting="n=64"),
         row("pyrod", 1e-2, 1e-9, case="scaling", setting="n=10000"),
         row("pyrod", 4e-4, None, case="parallel", setting="1 threads", converged=True),
-        row("pyrod", 2e-4, None, case="parallel", setting="2 threads", converged=True),
+        row(
+            "pyrod",
+            2e-4,
+            None,
+            case="parallel",
+            setting="2 threads",
+            converged=True,
+            note="load 0.1",
+        ),
     ]
     assert "| planar | cosserat | 0.1 ms, 1.0e-04 |" in report.model_cost(rows)
     assert "| pyrod | n=10000 | 10 ms | 1000 |" in report.scaling(rows)
-    assert report.parallel(rows).endswith("| 2 threads | 0.2 ms | 2 x |")
+    assert report.parallel(rows).endswith("| 2 threads | 0.2 ms | 2 x | load 0.1 |")
 
 
 def test_figure_shows_what_nothing_cheaper_beats(tmp_path: Path) -> None:

@@ -205,6 +205,19 @@ TEST_CASE("an error that crosses zero on the finest grid is not taken for none")
   }
 }
 
+TEST_CASE("a value that happens not to change is not taken for the limit") {
+  // without h² the second quantity is 1 + 0.1/64 from ½ and ¼, as it is from 1 and ½
+  const auto f = [](double h) -> Vector {
+    Vector out(2);
+    const double x = h * h;
+    out << 1 + 0.3 * x + 0.06 * x * x, 1 + 0.3 * x - 0.13125 * x * x + 0.1 * x * x * x;
+    return out;
+  };
+  const auto told = Extrapolation(levels(3, f), {{{0, 1, 0}, {1, 1, 1}}, {1, 1}, true}).result();
+  CHECK(std::abs(told.values[1] - 1) == doctest::Approx(0.1 / 64).epsilon(1e-10));
+  CHECK(told.errors[1] >= std::abs(told.values[1] - 1));
+}
+
 TEST_CASE("each quantity has the error of its worst row, relative to its scale") {
   const auto f = [](double h) -> Vector {
     Vector out(5);

@@ -63,6 +63,29 @@ TEST_CASE("a turn about the free axis is undone, however large") {
   }
 }
 
+TEST_CASE("all that is spatial turns") {
+  const Rung before(bent(Vec3(1, 0, 0)), 1, nullptr);
+  const Vec3 centre(0.1, 0.2, 0.3);
+  const Quaternion q = exp(Vec3(0.3, -0.2, 0.5));
+  Rung turned = before;
+  detail::turn(turned, q, centre);
+  const auto &a = before.rods[0], &b = turned.rods[0];
+  const auto &u = before.nodes[0], &v = turned.nodes[0];
+  const auto placed = [&](const Vec3& r) -> Vec3 { return centre + rotate(q, Vec3(r - centre)); };
+  for (std::size_t j = 0; j < edges; ++j) {
+    CHECK(distance(b.curve.positions[j], placed(a.curve.positions[j])) < 1e-15);
+    CHECK(distance(b.curve.frames[j], q * a.curve.frames[j]) < 1e-15);
+    CHECK(distance(b.vertex_frames[j], q * a.vertex_frames[j]) < 1e-15);
+    CHECK(distance(b.force[j], rotate(q, a.force[j])) < 1e-15);
+    CHECK(distance(b.vertex_force[j], rotate(q, a.vertex_force[j])) < 1e-15);
+    CHECK(distance(b.moment[j], rotate(q, a.moment[j])) < 1e-15);
+  }
+  CHECK(distance(v.position, placed(u.position)) < 1e-15);
+  CHECK(distance(v.frame, q * u.frame) < 1e-15);
+  CHECK(distance(v.reaction_force, rotate(q, u.reaction_force)) < 1e-15);
+  CHECK(distance(v.reaction_moment, rotate(q, u.reaction_moment)) < 1e-15);
+}
+
 TEST_CASE("other turns are none of its business") {
   const auto scene = bent(Vec3(1, 0, 0));
   const Rung before(scene, 1, nullptr);
