@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from pyrod import _core
@@ -25,6 +26,13 @@ class Ladder:
         self.scene = _with_loaded_vertices(scene)
         self._levels: dict[int, Any] = {}
         self._compiled: dict[str, _core.Ladder] = {}
+
+    @cached_property
+    def hidden_jump(self) -> str | None:
+        """A jump inside an edge that all grids may have missed, in words."""
+        from pyrod._jumps import hidden_jump
+
+        return hidden_jump(self.scene)
 
     def compiled(self, network: bool) -> _core.Ladder:
         """``network``: by the path for any scene."""

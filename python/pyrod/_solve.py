@@ -128,6 +128,14 @@ def _doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], 
             "(Rod.with_vertices)"
         )
         yield AccuracyWarning, message
+    elif result.accuracy is not None and result.converged:
+        jump = result.scene._ladder.hidden_jump
+        if jump is not None:
+            message = (
+                f"{jump}, which the grids may not have seen: the errors that are told may be "
+                "wrong; give that place a vertex (Rod.with_vertices)"
+            )
+            yield AccuracyWarning, message
     for number, rod in enumerate(result.rods):
         of = f" of rod {number}" if len(result.rods) > 1 else ""
         turn, vertex, stretch, edge = rod._source.doubts(rod.rod._rod)
