@@ -17,7 +17,7 @@ using Start = std::optional<NetworkStart>;
 using Level = std::function<SceneSolution(int level, bool from_below, const Start&, const Options&,
                                           const NetworkOptions&, const Trace&)>;
 
-/// What Python makes of a level, kept until it makes the next.
+/// What Python makes of a level.
 class Source {
  public:
   explicit Source(py::function make) : make_(std::move(make)) {}
@@ -26,13 +26,11 @@ class Source {
   template <class Read>
   auto operator()(int level, const Read& read) const {
     const py::gil_scoped_acquire gil;
-    *made_ = make_(level);
-    return read(made_->cast<py::tuple>());
+    return read(make_(level).cast<py::tuple>());
   }
 
  private:
   py::function make_;
-  std::shared_ptr<py::object> made_ = std::make_shared<py::object>();
 };
 
 /// A scene whose levels are made once, when a climb first needs them. One climb at a time: others
@@ -67,22 +65,23 @@ class ReadyLadder {
 
 /// A rod and its loads on halved edges, made without Python: where no functions of arc length are
 /// to be asked.
-class Halving {
- public:
-  Halving(const Rod<Spatial>& rod, const GridLoads& loads) : given_(loads), rod_(rod) {}
+LoadedRod halved(Rod<Spatial> rod, const GridLoads& loads, int level) {
+  if (level == 0) return {std::move(rod), loads.loads};
+  for (int k = 0; k < level; ++k) rod = halved(rod);
+  auto on = loads.on(rod.grid);
+  return {std::move(rod), std::move(on)};
+}
 
-  LoadedRod operator()(int level) {
-    for (; level_ < level; ++level_) rod_ = halved(rod_);
-    loads_ = level == 0 ? given_.loads : given_.on(rod_.grid);
-    return {rod_, loads_};
+/// The same of a network.
+Network<Spatial> halved(Network<Spatial> network, const std::vector<GridLoads>& loads, int level) {
+  for (std::size_t i = 0; i < network.rods.size(); ++i) {
+    auto [rod, on] = halved(std::move(network.rods[i]), loads[i], level);
+    network.rods[i] = std::move(rod);
+    network.loads[i] = std::move(on);
   }
-
- private:
-  GridLoads given_;
-  Rod<Spatial> rod_;
-  Loads<Spatial> loads_{1};
-  int level_ = 0;
-};
+  for (auto& a : network.attachments) a.vertex <<= level;
+  return network;
+}
 
 using LoadedLevel = std::function<LoadedRod(int level)>;
 
@@ -96,31 +95,6 @@ Level cantilever_level(const LoadedLevel& loaded, const Clamp& clamp) {
     return levels->solve(level, from_below, frames, options, trace);
   };
 }
-
-/// The same of a network.
-class NetworkHalving {
- public:
-  NetworkHalving(const PlacedNetwork& given, std::vector<GridLoads> loads)
-      : network_(given.network), plane_(given.plane), given_(std::move(loads)) {}
-
-  PlacedNetwork operator()(int level) {
-    if (level < level_) network_ = first_, level_ = 0;
-    if (level > 0 && level_ == 0) first_ = network_;
-    for (; level_ < level; ++level_) {
-      for (auto& rod : network_.rods) rod = halved(rod);
-      for (auto& a : network_.attachments) a.vertex *= 2;
-    }
-    for (std::size_t i = 0; level > 0 && i < network_.rods.size(); ++i)
-      network_.loads[i] = given_[i].on(network_.rods[i].grid);
-    return {network_, plane_};
-  }
-
- private:
-  Network<Spatial> network_, first_;
-  Clamp plane_;
-  std::vector<GridLoads> given_;
-  int level_ = 0;
-};
 
 using PlacedLevel = std::function<PlacedNetwork(int level)>;
 
@@ -148,9 +122,7 @@ std::unique_ptr<ReadyLadder> of_cantilever(const Rod<Spatial>& rod, const GridLo
       });
     };
   else
-    loaded = [halving = std::make_shared<Halving>(rod, loads)](int level) {
-      return (*halving)(level);
-    };
+    loaded = [rod, loads](int level) { return halved(rod, loads, level); };
   const auto level = in_space(dimension, [&]<class Space>(Space) {
     return with_model(
         model, [&]<class Model>(Model) { return cantilever_level<Space, Model>(loaded, clamp); });
@@ -174,8 +146,9 @@ std::unique_ptr<ReadyLadder> of_network(const Network<Spatial>& network, const A
       });
     };
   else
-    placed = [halving = std::make_shared<NetworkHalving>(PlacedNetwork{network, plane}, loads)](
-                 int level) { return (*halving)(level); };
+    placed = [network, loads, plane](int level) {
+      return PlacedNetwork{halved(network, loads, level), plane};
+    };
   return std::make_unique<ReadyLadder>(network.rods, in_space(dimension, [&]<class Space>(Space) {
                                          return network_level<Space>(placed);
                                        }));

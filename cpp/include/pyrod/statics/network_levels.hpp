@@ -9,27 +9,25 @@ namespace pyrod {
 
 /// A network on one level, and the plane it is in if its space is one.
 struct PlacedNetwork {
-  const Network<Spatial>& network;
+  Network<Spatial> network;
   Clamp plane;
 };
 
 template <class Space>
 class NetworkLevels {
  public:
-  /// `source` gives the network of a level, whose edges are those of level 0 cut in 2ᵏ; it keeps it
-  /// until the next call.
+  /// `source` gives the network of a level, whose edges are those of level 0 cut in 2ᵏ.
   explicit NetworkLevels(std::function<PlacedNetwork(int level)> source)
       : source_(std::move(source)) {}
 
-  /// One level of a climb: from the level below if that was solved, else from `start`, if any.
+  /// One level of a climb: from the level below if that was solved, else from `start`, on level 0,
+  /// or from nothing.
   SceneSolution solve(int level, bool from_below, const std::optional<NetworkStart>& start,
                       const Options& options, const NetworkOptions& more, const Trace& trace) {
     const auto [network, plane] = source_(level);
-    if (!from_below) prolonged_.assign(network.rods.size(), {});
-    auto out = scene_solution(
-        run<Space>(network, plane, from_below ? refined() : start, options, more, trace));
-    below_ = {};
-    grids_.clear();
+    begin(level, from_below, start);
+    auto out = scene_solution(run<Space>(network, plane, start_, options, more, trace));
+    below_.clear(), grids_.clear();
     for (std::size_t i = 0; i < out.rods.size(); ++i) {
       below_.push_back(out.rods[i].curve.frames);
       grids_.push_back(network.rods[i].grid);
@@ -41,8 +39,31 @@ class NetworkLevels {
   }
 
  private:
+  /// The start of this level. One that was given goes along on every level, in case all below fail.
+  void begin(int level, bool from_below, const std::optional<NetworkStart>& start) {
+    if (level == 0)
+      given_ = start;
+    else if (given_)
+      given_->frames = halved(given_->frames);
+    if (!from_below) prolonged_.clear();
+    start_ = from_below ? refined() : given_;
+  }
+
+  /// Frames of all rods on halved edges, one after another.
+  std::vector<Quaternion> halved(const std::vector<Quaternion>& frames) const {
+    std::vector<Quaternion> out;
+    auto from = frames.begin();
+    for (const auto& grid : grids_) {
+      const auto more = prolonged(grid, std::vector<Quaternion>(from, from + grid.edges())).start;
+      out.insert(out.end(), more.begin(), more.end());
+      from += grid.edges();
+    }
+    return out;
+  }
+
   NetworkStart refined() {
     NetworkStart out;
+    prolonged_.resize(grids_.size());
     for (std::size_t i = 0; i < grids_.size(); ++i) {
       prolonged_[i] = prolonged(grids_[i], below_[i], prolonged_[i]);
       const auto& frames = prolonged_[i].start;
@@ -68,6 +89,7 @@ class NetworkLevels {
   std::vector<Prolonged<Quaternion>> prolonged_;
   std::vector<Grid> grids_;
   std::vector<NodeSolution<Spatial>> nodes_;
+  std::optional<NetworkStart> given_, start_;
 };
 
 }  // namespace pyrod
