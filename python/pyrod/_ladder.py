@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -46,11 +47,13 @@ class Ladder:
         space = _core.Dimension.__members__[scene.space]
         asked = any(rod._law.asks for rod in scene.rods)  # type: ignore[union-attr]
         plain = not asked and not any_function(scene.loads)
+        owner = weakref.ref(self)  # what is compiled must not keep alive what keeps it alive
         if key == "network":
-            make = None if plain and _places_are_given(scene) else self._network
+            plain = plain and _places_are_given(scene)
+            make = None if plain else lambda level: owner()._network(level)  # type: ignore[union-attr]
             net, loads = scene._network.compiled, list(scene._loads)
             return _core.Ladder.of_network(net, *scene.plane, loads, make, space)
-        make = None if plain else self._cantilever
+        make = None if plain else lambda level: owner()._cantilever(level)  # type: ignore[union-attr]
         rod = scene.rods[0]
         model = _core.Model.__members__[rod.model]
         held = scene.clamp_position, scene.clamp_frame
