@@ -96,8 +96,9 @@ auto of_nodes(const Get& get) {
 py::object reached(const Outcome& o) {
   if (!o.reached) return py::none();
   const auto& r = *o.reached;
-  return py::make_tuple(array<quantities>(Vec<quantities>(r.errors.data())), r.order, r.regular,
-                        r.levels, r.edges);
+  py::dict errors;
+  for (int i = 0; i < quantities; ++i) errors[quantity_names[std::size_t(i)]] = r.errors[i];
+  return py::make_tuple(errors, r.order, r.regular, r.levels, r.edges);
 }
 
 void bind_outcome(py::module_& module) {
@@ -160,8 +161,9 @@ std::shared_ptr<Outcome> run(const Job& job, const std::optional<py::function>& 
 }
 
 /// The jobs on several threads; `progress` sees how many are done. What a job throws is thrown
-/// here, when all threads have ended.
-std::vector<std::shared_ptr<Outcome>> run_all(const std::vector<const Job*>& jobs, int threads,
+/// here, with the number of its scene, when all threads have ended.
+std::vector<std::shared_ptr<Outcome>> run_all(const std::vector<const Job*>& jobs,
+                                              const std::vector<int>& numbers, int threads,
                                               const std::optional<py::function>& progress) {
   std::vector<std::shared_ptr<Outcome>> out(jobs.size());
   std::atomic<int> done{0};
@@ -174,7 +176,11 @@ std::vector<std::shared_ptr<Outcome>> run_all(const std::vector<const Job*>& job
   {
     const py::gil_scoped_release release;
     for_each_row(int(jobs.size()), threads, look, [&](int i) {
-      out[std::size_t(i)] = std::make_shared<Outcome>(jobs[std::size_t(i)]->work({}));
+      try {
+        out[std::size_t(i)] = std::make_shared<Outcome>(jobs[std::size_t(i)]->work({}));
+      } catch (const InvalidArgument& refused) {
+        throw InvalidArgument(text("scene ", numbers[std::size_t(i)], ": ", refused.what()));
+      }
       ++done;
     });
   }
@@ -203,7 +209,8 @@ void job(py::module_& module) {
   bind_outcome(module);
   py::class_<Job>(module, "Job", "A solve that is ready to be run.")
       .def("run", &run, py::arg("trace"));
-  module.def("run_all", &run_all, py::arg("jobs"), py::arg("threads"), py::arg("progress"));
+  module.def("run_all", &run_all, py::arg("jobs"), py::arg("numbers"), py::arg("threads"),
+             py::arg("progress"));
 }
 
 }  // namespace pyrod::bind

@@ -49,9 +49,13 @@ class Lazy:
     def __getattr__(self, name: str) -> Any:
         state = self.__dict__
         source = state.get("_source")
-        if source is None or name.startswith("_") or not hasattr(source, name):
-            raise AttributeError(f"{type(self).__name__} has no {name!r}")
-        value = state[name] = getattr(source, name)
+        missing = AttributeError(f"{type(self).__name__} has no {name!r}")
+        if source is None or name.startswith("_"):
+            raise missing
+        try:
+            value = state[name] = getattr(source, name)
+        except AttributeError:
+            raise missing from None
         return value
 
 

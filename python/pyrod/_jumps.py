@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pyrod.rod import Rod
     from pyrod.scene import Scene
 
-SAMPLES = 1025
+SAMPLES = 257
 PART = 0.05
 """Of the range of the function: what changes so much from sample to sample is looked at closer."""
 

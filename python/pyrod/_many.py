@@ -57,18 +57,21 @@ def solve_many(
     began = perf_counter()
     jobs = [_job(i, *args, how) for i, args in enumerate(zip(scenes, starts, strict=True))]
     show = _shown(progress, len(jobs))
-    found = _core.run_all([job.compiled for job in jobs], threads, show)
+    found = _run(dict(enumerate(jobs)), threads, show)
     others = {i: other for i, job in enumerate(jobs) if (other := job.again(found[i]))}
-    better = _core.run_all([job.compiled for job in others.values()], threads, None)
-    for (i, other), one in zip(others.items(), better, strict=True):
-        jobs[i], found[i] = other, one
+    found |= _run(others, threads, None)
     each = (perf_counter() - began) / max(len(jobs), 1)
-    results = [job.equilibrium(one, each) for job, one in zip(jobs, found, strict=True)]
+    results = [others.get(i, job).equilibrium(found[i], each) for i, job in enumerate(jobs)]
     for result in results:
         judge(result, strict=False, stable=stable)
     if strict:
         _refuse_failures(results)
     return results
+
+
+def _run(jobs: dict[int, Job], threads: int, show: Any) -> dict[int, _core.Solution]:
+    compiled = [job.compiled for job in jobs.values()]
+    return dict(zip(jobs, _core.run_all(compiled, list(jobs), threads, show), strict=True))
 
 
 def _job(number: int, scene: Scene, start: Any, how: How) -> Job:

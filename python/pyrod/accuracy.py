@@ -8,20 +8,7 @@ from typing import Any
 
 from pyrod._immutable import Immutable
 
-_QUANTITIES = (
-    "positions",
-    "frames",
-    "curvatures",
-    "forces",
-    "moments",
-    "energy",
-    "reactions",
-    "reaction_moments",
-    "edge_frames",
-    "edge_forces",
-    "strains",
-)
-AT_EDGES = _QUANTITIES[-3:]
+AT_EDGES = ("edge_frames", "edge_forces", "strains")
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +47,7 @@ def accuracy_of(
     """What the compiled ladder says of errors; of a cantilever it has no reactions."""
     if tol is None or reached is None:
         return None
-    errors = dict(zip(_QUANTITIES, reached[0].tolist(), strict=True))
+    errors = dict(reached[0])
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
     if not network:
         errors["reactions"] = max(errors["forces"], errors["moments"])

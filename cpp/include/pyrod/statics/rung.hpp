@@ -6,6 +6,8 @@
 #include <pyrod/solve/extrapolation.hpp>
 #include <pyrod/statics/scene_solution.hpp>
 
+#include <array>
+
 namespace pyrod {
 
 /// What an error is told of. Those up to `reaction_moments` are of vertices and sums; the others
@@ -25,6 +27,9 @@ enum class Quantity {
   strains
 };
 constexpr int vertex_quantities = 8, quantities = 11;
+constexpr std::array<const char*, quantities> quantity_names{
+    "positions", "frames",           "curvatures",  "forces",      "moments", "energy",
+    "reactions", "reaction_moments", "edge_frames", "edge_forces", "strains"};
 
 /// A solution on a grid whose edges are those of the coarsest cut in `stride` parts, seen there. A
 /// coarse edge is seen at its centre: there must be a vertex, so that `stride` is even, or it is 1.
