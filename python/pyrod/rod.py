@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from pyrod import _core
 from pyrod._along import Curvature, Model, Sections, stiffness
+from pyrod._energy import Energy
 from pyrod._grading import graded, natural_edges
 from pyrod._immutable import Array, Immutable, frozen, vector
 from pyrod._law import NO_JUMPS, Law, Made, Material, Table
@@ -311,32 +312,6 @@ class Rod(Immutable):
         curved = "precurved" if self.K0.any() else "straight"
         edges = self.edges if self._breaks is None else None
         return f"Rod({self.model}, {curved}, length={self.length:g}, edges={edges})"
-
-
-@dataclass(frozen=True, eq=False)
-class Energy(Immutable):
-    """Value and derivatives of a rod's energy.
-
-    The unknowns are numbered station by station, r_0, q_{1/2}, r_1, q_{3/2}, ..., r_n; frames move
-    as R <- R exp(phi), phi in the components of the frame.
-    """
-
-    bend_twist: float
-    stretch_shear: float
-    gradient: Array
-    _hessian: tuple[Array, Any, Any] = field(repr=False)
-
-    @property
-    def total(self) -> float:
-        """Bending, twisting, stretching and shearing together [J]."""
-        return self.bend_twist + self.stretch_shear
-
-    @property
-    def hessian(self) -> Any:
-        """Second derivatives, a symmetric `scipy.sparse.csc_array`. Needs SciPy."""
-        from scipy.sparse import csc_array
-
-        return csc_array(self._hessian, shape=(len(self.gradient),) * 2)
 
 
 def _masses(values: ArrayLike, edges: int) -> Array:

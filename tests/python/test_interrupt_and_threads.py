@@ -11,6 +11,7 @@ from time import sleep
 
 import numpy as np
 import pytest
+from interrupt import ctrl_c_after, needs_ctrl_c
 from support import HELIX, MODELS, ROUND, SOFT, SPACES
 
 import pyrod
@@ -23,32 +24,12 @@ def large(n: int) -> Scene:
     return Scene(Rod.straight(1.0, n, ROUND), Clamp(), Force((3, 2, -10)))
 
 
-needs_ctrl_c = pytest.mark.skipif(
-    signal.getsignal(signal.SIGINT) is not signal.default_int_handler,
-    reason="Ctrl-C is not Python's",
-)
-
-
 @needs_ctrl_c
 def test_ctrl_c_stops_a_solve_within_an_iteration(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pressed after the first line is printed, while the second iteration is under way."""
-    lines, printed = [], threading.Event()
-
-    def listen(line: str, **_: object) -> None:
-        lines.append(line)
-        printed.set()
-
-    def press() -> None:
-        if printed.wait(60):
-            sleep(0.01)
-            os.kill(os.getpid(), signal.SIGINT)
-
-    monkeypatch.setattr("builtins.print", listen)
-    scene, thread = large(500_000), threading.Thread(target=press)
-    with pytest.raises(KeyboardInterrupt):  # noqa: PT012
-        thread.start()
+    scene = large(500_000)
+    with ctrl_c_after(1, monkeypatch) as lines:
         pyrod.solve(scene, verbose=True)
-    thread.join()
     assert 1 <= len(lines) <= 2  # of seven
     assert pyrod.solve(large(100)) == pyrod.solve(large(100))  # as if nothing had happened
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import pickle
-import signal
-import threading
 from concurrent.futures import ThreadPoolExecutor
-from time import sleep
 
 import numpy as np
 import pytest
+from interrupt import ctrl_c_after, needs_ctrl_c
 from support import ROUND, SOFT, Y, differences
 from test_ladder import BENT, arch, bent, same
 
@@ -59,30 +56,12 @@ def test_each_iteration_of_each_grid_is_printed(capsys: pytest.CaptureFixture[st
     assert result.iterations == len(result.record["step"]) > result.accuracy.grids
 
 
-@pytest.mark.skipif(
-    signal.getsignal(signal.SIGINT) is not signal.default_int_handler,
-    reason="Ctrl-C is not Python's",
-)
+@needs_ctrl_c
 def test_ctrl_c_stops_a_climb(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pressed while a grid of a hundred thousand edges, or twice that, is solved."""
-    lines, late = [], threading.Event()
-
-    def listen(line: str, **_: object) -> None:
-        lines.append(line)
-        if len(lines) == 6:
-            late.set()
-
-    def press() -> None:
-        if late.wait(60):
-            sleep(0.01)
-            os.kill(os.getpid(), signal.SIGINT)
-
-    monkeypatch.setattr("builtins.print", listen)
-    scene, thread = bent(100_000), threading.Thread(target=press)
-    with pytest.raises(KeyboardInterrupt):  # noqa: PT012
-        thread.start()
+    scene = bent(100_000)
+    with ctrl_c_after(6, monkeypatch) as lines:
         pyrod.solve(scene, tol=1e-9, verbose=True)
-    thread.join()
     assert 6 <= len(lines) <= 9
     assert same(pyrod.solve(bent(), tol=1e-8), pyrod.solve(bent(), tol=1e-8))
 
