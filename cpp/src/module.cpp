@@ -1,6 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bind.hpp"
 
+namespace pyrod::bind {
+
+/// What the module was made with and runs on.
+py::dict build() {
+  int version[3];
+  cholmod_version(version);
+  std::ostringstream cholmod, eigen;
+  cholmod << version[0] << '.' << version[1] << '.' << version[2];
+  eigen << EIGEN_WORLD_VERSION << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION;
+  constexpr const char* instructions[] = {"baseline", "avx2", "avx512"};
+  py::dict out;
+  out["cholmod"] = cholmod.str();
+  out["eigen"] = eigen.str();
+  out["compiler"] = __VERSION__;
+  out["instructions"] = instructions[int(machine())];
+  return out;
+}
+
+}  // namespace pyrod::bind
+
 PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   module.doc() = "The compiled part of pyrod. Use it through the package.";
   pyrod::bind::rotation(module);
@@ -12,4 +32,6 @@ PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   pyrod::bind::statics(module);
   pyrod::bind::network(module);
   pyrod::bind::ladder(module);
+  module.def("build", &pyrod::bind::build,
+             "Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.");
 }

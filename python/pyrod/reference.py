@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod import _reference_notes as notes
 from pyrod._along import Model
 from pyrod._immutable import Array
 from pyrod.equilibrium import Equilibrium
@@ -54,6 +55,28 @@ class Case:
     def intervals(self) -> int:
         """Number of equal intervals between the samples."""
         return len(self.data["s"]) - 1
+
+    @property
+    def found_alone(self) -> bool:
+        """Whether it is what a solve finds from the scene; else give it a `start`."""
+        return notes.found_alone(str(self), self.data["values"].get("stability_index"))
+
+    @property
+    def first_edges(self) -> int | None:
+        """Edges to begin with if a tolerance is given; None: those that `solve` chooses."""
+        return notes.first_edges(str(self), self.found_alone)
+
+    @property
+    def rounding(self) -> float:
+        """Errors below this are rounding, magnified by the case."""
+        return notes.rounding(str(self))
+
+    def nearest(self, result: Equilibrium) -> Case:
+        """The case itself, or of a circle of solutions the one that is nearest to the result."""
+        if not str(self).startswith(tuple(notes.CIRCLES)):
+            return self
+        moved = notes.turned({key: self.sampled(key) for key in "rqnm"}, result)
+        return Case({**self.data, **moved})
 
     def sampled(self, key: str) -> Array:
         """r, q, n or m at the sample points."""

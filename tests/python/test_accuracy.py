@@ -10,46 +10,15 @@ import warnings
 
 import numpy as np
 import pytest
-from cases import (
-    CASES,
-    CIRCLES,
-    is_found_from_the_scene_alone,
-    nearest,
-    parameters,
-    start,
-)
+from cases import CASES, parameters, start
 
 import pyrod
 from pyrod import AccuracyWarning, Equilibrium, UnstableWarning
+from pyrod import _reference_notes as notes
 from pyrod.reference import Case
 
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
-ROUNDING = 1e-12
 
-# Grids that a rod without edges does not get by itself. Edges, and why:
-BASES = {
-    "P3_pin_m1_1.0001": (128, "next to the critical load, whose error (mode pi/n)^2/12 must be "),
-    "P3_pin_m2_1.0001": (256, "little beside the distance of 1e-4: coarser grids find the "),
-    "P3_pin_m3_1.0001": (256, "straight rod, or the mirror image"),
-    "S1_cosserat_a": (128, "a saddle among several equilibria"),
-    "S6_soliton_a": (128, "a pulse in a twentieth of the rod"),
-    "S6_soliton_mild": (128, "a pulse that twists by many turns"),
-    "S6_soliton_soft": (128, "on 16 edges another branch is found"),
-}
-OTHERS = (64, "another equilibrium is found without a start: saddles, higher modes, mirror images")
-
-# Rounding that is magnified, and by what. Largest errors seen beyond the estimates:
-MAGNIFIED = {
-    "P3_pin_m1_1.0001": (2e-10, "amplitudes by the distance from the critical load"),
-    "P3_pin_m2_1.0001": (2e-10, "the same"),
-    "P3_pin_m3_1.0001": (2e-10, "the same"),
-    "P5_chain_w1e4": (1e-10, "forces of 1e4 EI/L^2 make moments a hundredth of F L"),
-    "P3_pin_m1_meet": (1e-9, "forces by ends that meet: their lever is the error of the positions"),
-    "P3_pin_m3_meet": (1e-9, "the same"),
-    "S6_soliton_a": (2e-6, "the place of the pulse, which only tails of 1e-7 hold"),
-    "S6_soliton_mild": (1e-9, "the same, with longer tails"),
-    "S7_figure_eight": (1e-6, "it may glide through its clamp, along itself"),
-}
 # Estimates that are far above errors that happen to vanish:
 LOOSE = {
     ("S3_taper_kirchhoff", "forces"): "exact at vertices; the estimate is that of `load`",
@@ -63,16 +32,8 @@ LOOSE = {
 }
 
 
-def base(case: Case) -> int | None:
-    """Edges to begin with; None: the solver chooses them, and finds the equilibrium by itself."""
-    for name, (edges, _) in BASES.items():
-        if str(case).startswith(name):
-            return edges
-    return None if is_found_from_the_scene_alone(case) else OTHERS[0]
-
-
 def solved(case: Case, space: str, tol: float) -> Equilibrium:
-    edges = base(case)
+    edges = case.first_edges
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UnstableWarning)
         if edges is None:
@@ -81,25 +42,19 @@ def solved(case: Case, space: str, tol: float) -> Equilibrium:
         return pyrod.solve(case.scene(edges, space), tol=tol, **how)
 
 
-def magnified(case: Case) -> float:
-    return max(
-        [ROUNDING] + [size for name, (size, _) in MAGNIFIED.items() if str(case).startswith(name)]
-    )
-
-
 def is_neutral(case: Case) -> bool:
     """Which of a circle of equilibria is found is chance, to within rounding over 1e-6."""
-    return str(case).startswith((*CIRCLES, "S7", "S6")) or str(case).endswith("_meet")
+    return str(case).startswith((*notes.CIRCLES, "S7", "S6")) or str(case).endswith("_meet")
 
 
 @pytest.mark.parametrize(("case", "space"), parameters(CASES))
 def test_estimates_hold(case: Case, space: str) -> None:
     for tol in TOLERANCES:
         result = solved(case, space, tol)
-        errors = nearest(case, result).errors(result)
+        errors = case.nearest(result).errors(result)
         for quantity, error in errors.items():
             told = result.accuracy.errors[quantity]
-            assert error <= max(told, magnified(case)), f"{quantity} at {tol}: {error}, told {told}"
+            assert error <= max(told, case.rounding), f"{quantity} at {tol}: {error}, told {told}"
 
 
 @pytest.mark.parametrize(
@@ -114,7 +69,9 @@ def test_estimates_are_tight_and_tolerances_reached(case: Case, space: str) -> N
         for quantity, error in case.errors(result).items():
             told = result.accuracy.errors[quantity]
             if (str(case), quantity) not in LOOSE:
-                assert told <= 100 * max(error, ROUNDING), f"{quantity} at {tol}: {error}, {told}"
+                assert told <= 100 * max(error, notes.ROUNDING), (
+                    f"{quantity} at {tol}: {error}, {told}"
+                )
 
 
 @pytest.mark.parametrize(
@@ -179,5 +136,5 @@ def test_a_rough_case_is_not_believed_too_early() -> None:
 
 def test_exceptions_name_cases_of_the_folder() -> None:
     names = [str(case) for case in CASES]
-    for name in (*BASES, *MAGNIFIED, *(name for name, _ in LOOSE)):
+    for name in (*notes.FIRST_EDGES, *notes.MAGNIFIED, *(name for name, _ in LOOSE)):
         assert any(n.startswith(name) for n in names), name

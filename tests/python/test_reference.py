@@ -10,19 +10,11 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from cases import (
-    CASES,
-    FOLDER,
-    OTHERS_NEARBY,
-    PULSES,
-    is_found_from_the_scene_alone,
-    nearest,
-    parameters,
-    start,
-)
+from cases import CASES, FOLDER, parameters, start
 
 import pyrod
 from pyrod import Equilibrium
+from pyrod import _reference_notes as notes
 from pyrod.reference import Case
 
 CELLS = (4, 8, 16)  # edges in a sample interval
@@ -57,7 +49,7 @@ def is_unloaded(result: Equilibrium) -> bool:
 def check(case: Case, space: str, solve: Callable[[int], Equilibrium]) -> None:
     """Order, index and balance of the results on a sequence of grids."""
     results = [solve(n * case.intervals) for n in cells(case)]
-    errors = [nearest(case, result).errors(result) for result in results]
+    errors = [case.nearest(result).errors(result) for result in results]
     for quantity in errors[0]:
         e = [level[quantity] for level in errors]
         assert e[-1] < 4e-3, f"{quantity}: {e}"
@@ -72,9 +64,7 @@ def check(case: Case, space: str, solve: Callable[[int], Equilibrium]) -> None:
         assert index in (None, result.index)
 
 
-@pytest.mark.parametrize(
-    ("case", "space"), parameters([c for c in CASES if is_found_from_the_scene_alone(c)])
-)
+@pytest.mark.parametrize(("case", "space"), parameters([c for c in CASES if c.found_alone]))
 def test_is_found_from_the_scene_alone(case: Case, space: str) -> None:
     check(case, space, lambda n: pyrod.solve(case.scene(n, space)))
 
@@ -94,7 +84,7 @@ def test_is_an_equilibrium_near_its_samples(case: Case, space: str) -> None:
 def test_exceptions_name_cases_of_the_folder() -> None:
     names = [str(case) for case in CASES]
     assert len(names) >= 60
-    for name in (*OTHERS_NEARBY, *INDEX_IN_THE_PLANE, *PULSES):
+    for name in (*notes.OTHERS_NEARBY, *notes.CIRCLES, *INDEX_IN_THE_PLANE, *notes.PULSES):
         assert any(n.startswith(name) for n in names), name
 
 

@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Dimension', 'Job', 'Ladder', 'Loads', 'Model', 'Network', 'Options', 'Rod', 'RodSolution', 'Solution', 'cantilever_job', 'curve', 'rotation', 'run_all', 'section']
+__all__: list[str] = ['Dimension', 'Job', 'Ladder', 'Loads', 'Model', 'Network', 'Options', 'Rod', 'RodSolution', 'Solution', 'build', 'cantilever_job', 'curve', 'rotation', 'run_all', 'section']
 class Model:
     """
     Members:
@@ -329,6 +329,10 @@ class Ladder:
         ...
     def job(self, start: tuple | None, options: Options, stable: bool, eigenvalue: bool, tolerance: typing.SupportsFloat | typing.SupportsIndex) -> Job:
         ...
+def build() -> dict:
+    """
+    Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.
+    """
 def cantilever_job(rod: typing.Any, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: typing.Any, start: tuple | None, options: Options) -> Job:
     ...
 def run_all(jobs: collections.abc.Sequence[Job], numbers: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], threads: typing.SupportsInt | typing.SupportsIndex, progress: collections.abc.Callable | None) -> list[Solution]:
