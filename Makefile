@@ -23,7 +23,7 @@ help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
 
 demo: $(VENV)/package ## solve and show a first example
-	@$(PY) examples/demo.py
+	@$(VENV)/bin/pyrod demo demo.png
 
 test: test-cpp test-python ## run the C++ and the Python tests
 
