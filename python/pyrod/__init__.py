@@ -19,6 +19,7 @@ from pyrod.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.joints import Joint
 from pyrod.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
+from pyrod.outline import Outline
 from pyrod.rod import Rod
 from pyrod.scene import Scene
 from pyrod.section import Material, Section
@@ -43,6 +44,7 @@ __all__ = [
     "Moment",
     "NotConverged",
     "Options",
+    "Outline",
     "Pivot",
     "Planarity",
     "Rod",

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import inf, isfinite, isinf, pi
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from math import inf, isfinite, isinf
 from typing import Literal
 
 import numpy as np
 
 from pyrod import _core
 from pyrod._immutable import Array
+from pyrod.outline import Outline
 
 Model = Literal["cosserat", "extensible", "inextensible"]
 
@@ -50,6 +52,8 @@ class Section:
     GA1, GA2 : shear stiffness along a1, a2 [N]; default infinite, the rod does not shear.
     EA : axial stiffness [N]; default infinite, the rod keeps its length.
     mass_per_length : [kg/m], for `Gravity`; default 0.
+    outline : what the section looks like, an `Outline`, for pictures and solids; by keyword.
+        Default None: unknown. No stiffness follows from it.
     """
 
     EI1: float
@@ -59,23 +63,27 @@ class Section:
     GA2: float = inf
     EA: float = inf
     mass_per_length: float = 0.0
+    outline: Outline | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         _core.section.check(self.EI1, self.EI2, self.GJ, self.GA1, self.GA2, self.EA)
         _not_negative(self.mass_per_length, "mass_per_length")
+        if not isinstance(self.outline, Outline | None):
+            raise TypeError(
+                f"outline: expected an Outline or None, got a {type(self.outline).__name__}"
+            )
 
     @staticmethod
     def circle(radius: float, material: Material) -> Section:
         """Solid circle of the given radius [m]. Shear after Cowper (1966)."""
         stiffnesses = _core.section.circle(radius, material.E, material.nu)
-        return Section(*stiffnesses, pi * radius**2 * material.density)
+        return _of(stiffnesses, material, Outline.circle(radius))
 
     @staticmethod
     def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
         """Ring between two radii [m]. Shear after Cowper (1966)."""
         stiffnesses = _core.section.tube(outer_radius, inner_radius, material.E, material.nu)
-        area = pi * (outer_radius**2 - inner_radius**2)
-        return Section(*stiffnesses, area * material.density)
+        return _of(stiffnesses, material, Outline.tube(outer_radius, inner_radius))
 
     @staticmethod
     def rectangle(width: float, height: float, material: Material) -> Section:
@@ -84,7 +92,7 @@ class Section:
         Torsion after Saint-Venant, shear after Cowper (1966).
         """
         stiffnesses = _core.section.rectangle(width, height, material.E, material.nu)
-        return Section(*stiffnesses, width * height * material.density)
+        return _of(stiffnesses, material, Outline.rectangle(width, height))
 
     @property
     def bending(self) -> Array:
@@ -102,6 +110,11 @@ class Section:
         if isinf(self.EA):
             return "inextensible"
         return "extensible" if isinf(self.GA1) else "cosserat"
+
+
+def _of(stiffnesses: Iterable[float], material: Material, outline: Outline) -> Section:
+    mass = outline.area * material.density
+    return replace(Section(*stiffnesses), mass_per_length=mass, outline=outline)
 
 
 def _not_negative(value: float, name: str) -> None:
