@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from time import perf_counter
 from typing import Any
 
 from pyrod import _core
 from pyrod._core import Options
 from pyrod._jobs import How, Job
+from pyrod._progress import Progress, shown
 from pyrod._solve import judge
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import NotConverged
 from pyrod.scene import Scene
-
-Progress = Callable[[int, int], Any]
 
 
 def solve_many(
@@ -40,7 +38,7 @@ def solve_many(
     starts : one start per scene, see `solve`; default: none.
     threads : default 0: as many as the machine has cores.
     strict : raise `NotConverged` for the first that fails; all results are in ``.results``.
-    progress : True: a line on standard error; or a function of the numbers of scenes that are done
+    progress : True: a bar on standard error; or a function of the numbers of scenes that are done
         and of all.
     options, tol, stable, eigenvalue : see `solve`.
 
@@ -56,8 +54,8 @@ def solve_many(
     how = How(options or Options(), stable, eigenvalue, tol)
     began = perf_counter()
     jobs = [_job(i, *args, how) for i, args in enumerate(zip(scenes, starts, strict=True))]
-    show = _shown(progress, len(jobs))
-    found = _run(dict(enumerate(jobs)), threads, show)
+    with shown(progress, len(jobs), "scenes") as show:
+        found = _run(dict(enumerate(jobs)), threads, show)
     others = {i: other for i, job in enumerate(jobs) if (other := job.again(found[i]))}
     found |= _run(others, threads, None)
     each = (perf_counter() - began) / max(len(jobs), 1)
@@ -85,28 +83,3 @@ def _refuse_failures(results: list[Equilibrium]) -> None:
     for result in results:
         if not result.converged:
             raise NotConverged(result, results)
-
-
-def _shown(progress: bool | Progress, total: int) -> Callable[[int], Any] | None:
-    if not progress:
-        return None
-    if callable(progress):
-        return lambda done: progress(done, total)
-    return _Bar(total)
-
-
-class _Bar:
-    """A line on standard error, not more often than the eye can see."""
-
-    def __init__(self, total: int) -> None:
-        self._total = total
-        self._shown = float("-inf")
-
-    def __call__(self, done: int) -> None:
-        now = perf_counter()
-        if done < self._total and now - self._shown < 0.1:
-            return
-        self._shown = now
-        bar = "#" * (40 * done // max(self._total, 1))
-        end = "\n" if done == self._total else ""
-        print(f"\r[{bar:40}] {done}/{self._total} scenes", end=end, file=sys.stderr, flush=True)

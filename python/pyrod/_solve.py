@@ -67,18 +67,30 @@ def solve(
     StrainWarning : an edge is turned inside out, or neighbours turn by more than pi.
     AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
     """
+    how = How(options or Options(), stable, eigenvalue, tol)
+    result = found(scene, how, model, start, verbose)
+    judge(result, strict, stable, verbose)
+    return result
+
+
+def found(
+    scene: Scene,
+    how: How,
+    model: Literal["auto"] | Model | None = None,
+    start: Equilibrium | ArrayLike | None = None,
+    verbose: bool = False,
+) -> Equilibrium:
+    """What `solve` finds, not judged yet."""
     began = perf_counter()
     choice = None
     if model is not None:
-        scene, choice = _in_model(scene, model, tol)
+        scene, choice = _in_model(scene, model, how.tol)
     trace = _print_iteration if verbose else None
-    job = Job(scene, start, How(options or Options(), stable, eigenvalue, tol))
-    found = job.compiled.run(trace)
-    if (other := job.again(found)) is not None:
-        job, found = other, other.compiled.run(trace)
-    result = job.equilibrium(found, perf_counter() - began, choice)
-    judge(result, strict, stable, verbose)
-    return result
+    job = Job(scene, start, how)
+    solution = job.compiled.run(trace)
+    if (other := job.again(solution)) is not None:
+        job, solution = other, other.compiled.run(trace)
+    return job.equilibrium(solution, perf_counter() - began, choice)
 
 
 def _in_model(
@@ -98,8 +110,7 @@ def _in_model(
 
 def judge(result: Equilibrium, strict: bool, stable: bool, verbose: bool = False) -> None:
     """Refuses what is no equilibrium, and warns of what is doubtful."""
-    if result.converged:
-        _refuse_drift(result)
+    refuse_drift(result)
     if verbose:
         print(
             f"{result.status}: {result.iterations} iterations, {result.unknowns} unknowns of which "
@@ -108,11 +119,11 @@ def judge(result: Equilibrium, strict: bool, stable: bool, verbose: bool = False
         )
     if strict and not result.converged:
         raise NotConverged(result)
-    for category, message in _doubts(result, stable):
+    for category, message in doubts(result, stable):
         warnings.warn(message, category, stacklevel=3)
 
 
-def _doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], str]]:
+def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], str]]:
     """What a user should know before trusting an equilibrium."""
     if result.index > 0 and stable:
         message = (
@@ -153,13 +164,13 @@ def _doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], 
             yield StrainWarning, message
 
 
-def _refuse_drift(result: Equilibrium) -> None:
+def refuse_drift(result: Equilibrium) -> None:
     """Forces that follow the rods, in directions in which nothing holds these: no equilibrium.
 
     Of dead forces it is known before the solve. A ring under pressure may drift, but need not.
     """
     scene = result.scene
-    if not any(load.follower for load in scene.loads):
+    if not result.converged or not any(load.follower for load in scene.loads):
         return
     acting = np.vstack([rod.load for rod in result.rods] + [r.force for r in result.reactions])
     left = acting.sum(axis=0)
