@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import Union, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod._immutable import Array
+from pyrod._immutable import Array, frozen
+from pyrod.outline import Outline
 from pyrod.section import Model, Section
 
 Sections = Union[Section, Sequence[Section], Callable[[float], Section]]
 Curvature = Union[ArrayLike, Callable[[float], ArrayLike]]
+Ends = tuple[Outline | None, Outline | None]
+"""Outlines at the start and at the end of an edge, on its own side of where they jump."""
 
 
 def stiffness(section: Sections, h: Array) -> tuple[Array, Array, Array, Model]:
@@ -35,6 +39,31 @@ def stiffness(section: Sections, h: Array) -> tuple[Array, Array, Array, Model]:
     richest = next(m for m in get_args(Model) if m in found)
     mass = np.array([c.mass_per_length for c in on_edges])
     return bending, np.array([c.stretching for c in on_edges]), mass, richest
+
+
+def outlines(section: Sections, h: Array) -> tuple[Ends, ...]:
+    """Outlines at both ends of each edge."""
+    if isinstance(section, Section):
+        return ((section.outline, section.outline),) * len(h)
+    if callable(section):
+        s = np.concatenate([[0.0], np.cumsum(h)])
+        inside = 1e-9 * s[-1]
+        return tuple(
+            (section(a + inside).outline, section(b - inside).outline) for a, b in pairwise(s)
+        )
+    return tuple((one.outline, one.outline) for one in section)
+
+
+def masses(values: ArrayLike, edges: int) -> Array:
+    """One mass per length for each edge."""
+    mass = frozen(values)
+    if mass.shape not in ((), (edges,)):
+        raise ValueError(
+            f"mass_per_length: expected {edges} numbers, one per edge, got shape {mass.shape}"
+        )
+    if not (np.isfinite(mass) & (mass >= 0)).all():
+        raise ValueError("mass_per_length: expected finite numbers, not negative")
+    return mass if mass.shape else frozen(np.full(edges, mass))
 
 
 def _checked(section: Section) -> Section:

@@ -8,9 +8,10 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from pyrod._along import Curvature, Model, Sections, stiffness
+from pyrod._along import Curvature, Ends, Model, Sections, outlines, stiffness
 from pyrod._immutable import Array
 from pyrod._sampling import sampled
+from pyrod.outline import Outline
 from pyrod.section import Section
 
 Jumps = tuple[list[int], Array]
@@ -37,6 +38,11 @@ class Law(Protocol):
     @property
     def asks(self) -> bool: ...
 
+    @property
+    def base(self) -> Array: ...
+
+    def outlines(self, h: Array) -> tuple[Ends, ...]: ...
+
     def on(self, h: Array) -> Material: ...
 
     def marked(self, at: Array) -> Law: ...
@@ -61,6 +67,9 @@ class Made:
 
     def stiffness(self, h: Array) -> tuple[Array, Array, Array, Model]:
         return stiffness(self._sections(h), h)
+
+    def outlines(self, h: Array) -> tuple[Ends, ...]:
+        return outlines(self._sections(h), h)
 
     def _sections(self, h: Array) -> Sections:
         if not isinstance(self.section, (list, tuple)) or h is self.base:
@@ -149,6 +158,8 @@ class Table:
     stretching: Array
     K0: Array
     mass: Array
+    shapes: tuple[Ends, ...] = ()
+    """Outlines of the edges, linear along each; empty: none are known."""
     portable = True
     asks = False
 
@@ -162,8 +173,34 @@ class Table:
             self.mass[edge],
         )
 
+    def outlines(self, h: Array) -> tuple[Ends, ...]:
+        if not self.shapes:
+            return ((None, None),) * len(h)
+        s, start = _arc_lengths(h), _arc_lengths(self.base)
+        edges = _edges_at((s[1:] + s[:-1]) / 2, self.base)
+        parts = (np.column_stack([s[:-1], s[1:]]) - start[edges, None]) / self.base[edges, None]
+        return tuple(
+            (within(self.shapes[i], a), within(self.shapes[i], b))
+            for i, (a, b) in zip(edges, parts, strict=True)
+        )
+
     def marked(self, at: Array) -> Table:
         return self
+
+
+def kept_outlines(law: Law | None, h: Array) -> tuple[Ends, ...]:
+    """What a law says of outlines, for a rod that has other arrays than it says."""
+    if law is None or abs(law.base.sum() - h.sum()) > 1e-9 * h.sum():
+        return ()
+    return law.outlines(h)
+
+
+def within(ends: Ends, part: float) -> Outline | None:
+    """The outline between the ends of an edge, ``part`` of its length from the start."""
+    a, b = ends
+    if a is None or b is None:
+        return a if part < 0.5 else b
+    return a.towards(b, part)
 
 
 def _arc_lengths(h: Array) -> Array:

@@ -37,3 +37,15 @@ def sampled(values: Any, at: Array, name: str, place: str) -> Array:
             f"got shape {array.shape}"
         )
     return np.array(np.broadcast_to(array, (len(at), 3)))
+
+
+def cut(h: Array, at: Array) -> Array | None:
+    """Lengths of the edges ``h`` with more vertices at arc lengths, or None if all are there.
+
+    Within 1e-9 of an edge's length of a vertex there is one.
+    """
+    s = np.concatenate([[0.0], np.cumsum(h)])
+    edge = np.clip(np.searchsorted(s, at, "right") - 1, 0, len(h) - 1)
+    part = (at - s[edge]) / h[edge]
+    new = (part > 1e-9) & (part < 1 - 1e-9)
+    return np.diff(np.sort(np.concatenate([s, at[new]]))) if new.any() else None

@@ -9,13 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._along import Curvature, Model, Sections, stiffness
+from pyrod._along import Curvature, Model, Sections, masses, outlines, stiffness
 from pyrod._energy import Energy
 from pyrod._grading import graded, natural_edges
 from pyrod._immutable import Array, Immutable, frozen, vector
-from pyrod._law import NO_JUMPS, Law, Made, Material, Table
+from pyrod._law import NO_JUMPS, Law, Made, Material, Table, kept_outlines
+from pyrod._places import End
 from pyrod._rest_shape import rest_curvature, ribbon
-from pyrod._sampling import edge_lengths
+from pyrod._sampling import cut, edge_lengths
+from pyrod.outline import Outline
 from pyrod.rotation import exp, frame_along, multiply
 
 
@@ -67,12 +69,12 @@ class Rod(Immutable):
         for name in ("edge_lengths", "bending", "stretching", "K0"):
             self._set(**{name: frozen(getattr(self, name))})
         self._set(placement=tuple(frozen(x) for x in self.placement))
-        self._set(mass_per_length=_masses(self.mass_per_length, self.edges))
+        self._set(mass_per_length=masses(self.mass_per_length, self.edges))
         if self._law is None or not self._is_by_law():
             self._set(_law=self._table(), _made=None, _breaks=None)
         self._set(_rod=self._compiled())
 
-    def _arrays(self) -> tuple[Array, ...]:
+    def _arrays(self) -> tuple[Array, Array, Array, Array]:
         return self.bending, self.stretching, self.K0, self.mass_per_length
 
     def _is_by_law(self) -> bool:
@@ -80,7 +82,8 @@ class Rod(Immutable):
         return self._made is not None and all(map(np.array_equal, self._arrays(), self._made[:4]))
 
     def _table(self) -> Table:
-        return Table(self.edge_lengths, *self._arrays())
+        shapes = kept_outlines(self._law, self.edge_lengths)
+        return Table(self.edge_lengths, *self._arrays(), shapes)
 
     def _compiled(self) -> _core.Rod:
         arrays = self.edge_lengths, self.bending, self.stretching, self.K0
@@ -140,9 +143,7 @@ class Rod(Immutable):
         made = law.on(h)
         return cls(
             h,
-            made.bending,
-            made.stretching,
-            made.K0,
+            *made[:3],
             model or law.stiffness(h)[3],
             mass_per_length=made.mass,
             _law=law,
@@ -175,7 +176,9 @@ class Rod(Immutable):
         h = shape.polyline.edge_lengths
         bending, stretching, mass, natural = stiffness(section, h)
         placement = (shape.polyline.positions[0], start)
-        return cls(h, bending, stretching, K0, model or natural, placement, mass)
+        made = Material(bending, stretching, K0, mass)
+        law = Table(h, *made[:4], outlines(section, h))
+        return cls(h, bending, stretching, K0, model or natural, placement, mass, law, made)
 
     # Views ---------------------------------------------------------------------------------------
 
@@ -198,6 +201,27 @@ class Rod(Immutable):
     def cell_lengths(self) -> Array:
         """(n + 1,) length of the cell of each vertex, half edges at the ends [m]."""
         return np.convolve(self.edge_lengths, [0.5, 0.5])
+
+    def outline(self, at: End | float) -> Outline:
+        """The outline of the cross-section at a place.
+
+        Between vertices it is linear; where sections jump it is that just behind.
+
+        Parameters
+        ----------
+        at : "start", "end" or an arc length [m].
+
+        A section that was given by its stiffnesses has none (`Section.outline`). Then one is made
+        up: the rectangle, a fiftieth of the rod's length in size, whose proportions have the ratio
+        EI1/EI2; its thinner side is drawn no thinner than a twentieth of the other.
+
+        Raises
+        ------
+        ValueError : the place is not on the rod.
+        """
+        from pyrod._outlines import outline_at
+
+        return outline_at(self, at)
 
     def placed(
         self,
@@ -233,30 +257,16 @@ class Rod(Immutable):
             if breaks == self._breaks:
                 return self
             return self._on(graded(self.length, breaks, self.edges), breaks, law)
-        s, h = self.arc_lengths, self.edge_lengths
-        edge = np.clip(np.searchsorted(s, at, "right") - 1, 0, self.edges - 1)
-        part = (at - s[edge]) / h[edge]
-        new = (part > 1e-9) & (part < 1 - 1e-9)
-        if not new.any():
-            return self if law is self._law else self._on(h, None, law)
-        return self._on(np.diff(np.sort(np.concatenate([s, at[new]]))), None, law)
+        h = cut(self.edge_lengths, at)
+        if h is not None:
+            return self._on(h, None, law)
+        return self if law is self._law else self._on(self.edge_lengths, None, law)
 
     def _on(self, h: Array, breaks: tuple[float, ...] | None = None, law: Law | None = None) -> Rod:
         """The same rod on other edges."""
         law = self._law if law is None else law
-        made = law.on(h)  # type: ignore[union-attr]
-        return Rod(
-            h,
-            made.bending,
-            made.stretching,
-            made.K0,
-            self.model,
-            self.placement,
-            made.mass,
-            law,
-            made,
-            breaks,
-        )
+        made: Material = law.on(h)  # type: ignore[union-attr]
+        return Rod(h, *made[:3], self.model, self.placement, made.mass, law, made, breaks)
 
     def _refined(self, level: int) -> Rod:
         """The same rod with every edge cut in 2^level, and no choice of edges left."""
@@ -312,15 +322,3 @@ class Rod(Immutable):
         curved = "precurved" if self.K0.any() else "straight"
         edges = self.edges if self._breaks is None else None
         return f"Rod({self.model}, {curved}, length={self.length:g}, edges={edges})"
-
-
-def _masses(values: ArrayLike, edges: int) -> Array:
-    """One mass per length for each edge."""
-    mass = frozen(values)
-    if mass.shape not in ((), (edges,)):
-        raise ValueError(
-            f"mass_per_length: expected {edges} numbers, one per edge, got shape {mass.shape}"
-        )
-    if not (np.isfinite(mass) & (mass >= 0)).all():
-        raise ValueError("mass_per_length: expected finite numbers, not negative")
-    return mass if mass.shape else frozen(np.full(edges, mass))
