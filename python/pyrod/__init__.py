@@ -14,6 +14,7 @@ from pyrod._effects import Effect, effect, out_of_plane_index
 from pyrod._many import solve_many
 from pyrod._planarity import Planarity, is_planar
 from pyrod._solve import solve
+from pyrod._sweep import Sweep, sweep
 from pyrod.accuracy import Accuracy
 from pyrod.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
@@ -55,6 +56,7 @@ __all__ = [
     "Slider",
     "Spring",
     "StrainWarning",
+    "Sweep",
     "UnstableWarning",
     "curve",
     "effect",
@@ -64,4 +66,5 @@ __all__ = [
     "smallest_model",
     "solve",
     "solve_many",
+    "sweep",
 ]

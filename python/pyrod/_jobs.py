@@ -37,7 +37,7 @@ class Job:
     def __init__(self, scene: Scene, start: Equilibrium | ArrayLike | None, how: How) -> None:
         if how.tol is None and scene._chooses_edges:
             how = how._replace(tol=DEFAULT_TOLERANCE)
-        self.how = how._replace(tol=_checked(how.tol))
+        self.how = how._replace(tol=checked_tolerance(how.tol))
         self.scene = scene if how.tol is None else scene._ladder.scene
         self.network = not (self.scene.is_cantilever and how.stable and not how.eigenvalue)
         self.compiled = self._compiled(_start(start, self.scene))
@@ -100,7 +100,8 @@ class Job:
 _NO_NODES = sealed((np.zeros((0, 3)), np.zeros((0, 4))))
 
 
-def _checked(tol: float | None) -> float | None:
+def checked_tolerance(tol: float | None) -> float | None:
+    """The tolerance, if it is one."""
     if tol is None:
         return None
     if isinstance(tol, bool) or not isinstance(tol, (int, float)) or not 0 < tol <= 0.1:

@@ -104,6 +104,15 @@ def differences(a: Any, b: Any) -> float:
     return float(np.abs(a - b).max() / (np.abs(b).max() or 1.0))
 
 
+def same_sweep(a: pyrod.Sweep, b: pyrod.Sweep, but: tuple[str, ...] = ("time",)) -> None:
+    """Refuses sweeps that differ in a bit, but for some quantities."""
+    assert list(a.columns) == list(b.columns)
+    assert (a.grid, a.shape) == (b.grid, b.shape)
+    for name in a.columns.keys() - set(but):
+        assert a[name].dtype == b[name].dtype
+        np.testing.assert_array_equal(a[name], b[name], name)
+
+
 # Smooth curves ------------------------------------------------------------------------------------
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)

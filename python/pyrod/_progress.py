@@ -1,0 +1,36 @@
+"""How far a long computation is: a bar on standard error, or a function that is told."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+Progress = Callable[[int, int], Any]
+"""A function of how many are done and how many there are."""
+
+
+@contextmanager
+def shown(
+    progress: bool | Progress, total: int, unit: str, done: int = 0
+) -> Iterator[Callable[..., Any] | None]:
+    """A function of the numbers that are done, and that failed, of a total; None: nobody looks.
+
+    ``done`` : those that were done before.
+    """
+    if callable(progress):
+        yield lambda done, failed=0: progress(done, total)
+    elif not progress:
+        yield None
+    else:
+        from tqdm import tqdm
+
+        with tqdm(total=total, initial=done, unit=f" {unit}", file=sys.stderr) as bar:
+
+            def show(done: int, failed: int = 0) -> None:
+                if failed:
+                    bar.set_postfix(failed=failed, refresh=False)
+                bar.update(done - bar.n)
+
+            yield show

@@ -1,0 +1,66 @@
+"""What is kept of each equilibrium of a sweep."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from pyrod._sweep.cases import RESERVED
+from pyrod.equilibrium import Equilibrium
+
+Measure = Callable[[Equilibrium], Mapping[str, Any]]
+
+
+def summary(result: Equilibrium) -> dict[str, Any]:
+    """The numbers that are kept unless others are asked for; see `sweep`."""
+    largest = {
+        f"largest_{name}": max(_longest(getattr(rod, name)) for rod in result.rods)
+        for name in ("K", "force", "moment")
+    }
+    kept = {
+        "status": result.status,
+        "iterations": result.iterations,
+        "energy": result.energy,
+        "index": result.index,
+        "tip": result.rods[-1].tip,
+        **largest,
+    }
+    if result.lowest_eigenvalue is not None:
+        kept["lowest_eigenvalue"] = result.lowest_eigenvalue
+    if result.accuracy is not None:
+        kept["estimated_error"] = result.accuracy.reached
+    return kept
+
+
+def _longest(vectors: Any) -> float:
+    return float(np.linalg.norm(vectors, axis=1).max())
+
+
+def plain(values: Any, arguments: Mapping[str, Any]) -> dict[str, Any]:
+    """What a measure returned, as numbers, text and arrays of numbers.
+
+    Raises
+    ------
+    ValueError, TypeError : it is something else, or has the name of something else.
+    """
+    if not isinstance(values, Mapping):
+        raise TypeError(f"measure: expected a dict, got a {type(values).__name__}")
+    for name in values:
+        if not isinstance(name, str):
+            raise TypeError(f"measure: names are strings, got {name!r}")
+        if name in RESERVED or name in arguments:
+            raise ValueError(f"measure: {name!r} is another column already, use another name")
+    return {name: _plain(name, value) for name, value in values.items()}
+
+
+def _plain(name: str, value: Any) -> Any:
+    if isinstance(value, str):
+        return value
+    array = np.array(value)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(
+            f"measure: {name!r} must be a number, text or an array of real numbers, got {value!r}"
+        )
+    return array if array.ndim else array.item()
