@@ -41,7 +41,7 @@ bench: build/system-packages $(VENV)/package $(VENV)/test-tools ## run the bench
 	@$(PY) benchmarks/curves.py
 	@cd benchmarks && ../$(PY) -m peers.run
 
-sanitize: build/system-packages ## run the C++ tests under the sanitizers
+sanitize: build/system-packages $(VENV)/test-tools ## run all tests under the sanitizers
 	@cmake --workflow --preset asan
 
 CXX_FILES = $(shell find cpp tests/cpp benchmarks examples -name '*.[ch]pp')

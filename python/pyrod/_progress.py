@@ -34,3 +34,20 @@ def shown(
                 bar.update(done - bar.n)
 
             yield show
+
+
+@contextmanager
+def iterations(progress: bool) -> Iterator[Callable[..., None] | None]:
+    """A function that is told of each iteration of a solve; seen if it takes half a second."""
+    if not progress:
+        yield None
+        return
+    from tqdm import tqdm
+
+    with tqdm(unit=" iterations", delay=0.5, leave=False, file=sys.stderr) as bar:
+
+        def show(energy: float, residual: float, *_: float) -> None:
+            bar.set_postfix(residual=f"{residual:.1e}", refresh=False)
+            bar.update()
+
+        yield show

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from time import perf_counter
 from typing import Literal
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from pyrod._core import Options
 from pyrod._jobs import How, Job
+from pyrod._progress import iterations
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.scene import Scene
@@ -30,6 +31,7 @@ def solve(
     verbose: bool = False,
     stable: bool = True,
     eigenvalue: bool = False,
+    progress: bool = False,
 ) -> Equilibrium:
     """Static equilibrium of a scene.
 
@@ -54,6 +56,7 @@ def solve(
     stable : look for a stable equilibrium, and leave saddles along their unstable modes. Otherwise
         take the equilibrium that Newton's method leads to.
     eigenvalue : find the lowest eigenvalue of the second variation, too.
+    progress : show the iterations on standard error once half a second has passed.
 
     Raises
     ------
@@ -68,7 +71,8 @@ def solve(
     AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
     """
     how = How(options or Options(), stable, eigenvalue, tol)
-    result = found(scene, how, model, start, verbose)
+    with iterations(progress and not verbose) as show:
+        result = found(scene, how, model, start, _print_iteration if verbose else show)
     judge(result, strict, stable, verbose)
     return result
 
@@ -78,14 +82,13 @@ def found(
     how: How,
     model: Literal["auto"] | Model | None = None,
     start: Equilibrium | ArrayLike | None = None,
-    verbose: bool = False,
+    trace: Callable[..., None] | None = None,
 ) -> Equilibrium:
     """What `solve` finds, not judged yet."""
     began = perf_counter()
     choice = None
     if model is not None:
         scene, choice = _in_model(scene, model, how.tol)
-    trace = _print_iteration if verbose else None
     job = Job(scene, start, how)
     solution = job.compiled.run(trace)
     if (other := job.again(solution)) is not None:
