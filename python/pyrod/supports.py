@@ -38,7 +38,7 @@ class Support(Immutable):
     ) -> None:
         self._set(
             position=None if position is None else vector(position, "position"),
-            frame=_frame(frame, tangent, normal),
+            frame=placed_frame(frame, tangent, normal),
             at=checked(at),
         )
 
@@ -55,7 +55,7 @@ class Support(Immutable):
         return 0.0, 0.0
 
 
-def _frame(
+def placed_frame(
     frame: ArrayLike | None, tangent: ArrayLike | None, normal: ArrayLike | None
 ) -> Array | None:
     if frame is not None and (tangent is not None or normal is not None):
@@ -275,6 +275,8 @@ def unit(values: ArrayLike | None, name: str) -> Array | None:
     v = vector(values, name)
     if not v.any():
         raise ValueError(f"{name}: expected a direction, got the zero vector")
+    if abs(v @ v - 1) < 1e-15:
+        return v  # to the last bit, so that what is written and read again is the same
     v = v / np.abs(v).max()
     return frozen(v / np.linalg.norm(v))
 
