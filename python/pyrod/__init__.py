@@ -11,13 +11,20 @@ from pyrod import curve, rotation
 from pyrod._choice import Choice, smallest_model
 from pyrod._core import Options
 from pyrod._effects import Effect, effect, out_of_plane_index
+from pyrod._files import load, save
 from pyrod._many import solve_many
 from pyrod._planarity import Planarity, is_planar
 from pyrod._solve import solve
 from pyrod._sweep import Sweep, sweep
 from pyrod.accuracy import Accuracy
 from pyrod.equilibrium import Equilibrium, RodEquilibrium
-from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
+from pyrod.errors import (
+    AccuracyWarning,
+    NotConverged,
+    SceneFileError,
+    StrainWarning,
+    UnstableWarning,
+)
 from pyrod.joints import Joint
 from pyrod.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
 from pyrod.outline import Outline
@@ -51,6 +58,7 @@ __all__ = [
     "Rod",
     "RodEquilibrium",
     "Scene",
+    "SceneFileError",
     "Section",
     "Sleeve",
     "Slider",
@@ -61,8 +69,10 @@ __all__ = [
     "curve",
     "effect",
     "is_planar",
+    "load",
     "out_of_plane_index",
     "rotation",
+    "save",
     "smallest_model",
     "solve",
     "solve_many",

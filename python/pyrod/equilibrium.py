@@ -10,6 +10,7 @@ import numpy as np
 
 from pyrod import _core
 from pyrod._immutable import Array, Immutable, Lazy
+from pyrod._savable import Savable
 from pyrod.accuracy import Accuracy
 from pyrod.rotation import exp, multiply, rotate
 from pyrod.scene import Scene
@@ -91,7 +92,7 @@ class RodEquilibrium(Lazy, Immutable):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Equilibrium(Lazy, Immutable):
+class Equilibrium(Lazy, Immutable, Savable):
     """Equilibrium of a scene: its `rods`, and how it was found.
 
     Of a scene with one rod, all that `RodEquilibrium` knows is to be had directly: ``positions``,

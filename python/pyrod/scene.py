@@ -12,6 +12,7 @@ from pyrod._immutable import Array, Immutable
 from pyrod._ladder import Ladder
 from pyrod._network import Network
 from pyrod._places import on_rod, with_vertices
+from pyrod._savable import Savable
 from pyrod.joints import Joint
 from pyrod.loads import Load, load_places, sampled_load
 from pyrod.rod import Rod
@@ -21,7 +22,7 @@ Space = Literal["planar", "spatial"]
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
-class Scene(Immutable):
+class Scene(Immutable, Savable):
     """Rods, what holds and joins them, and what acts on them.
 
     Parameters

@@ -86,11 +86,12 @@ def _rods(
 ) -> tuple[RodEquilibrium, ...]:
     out = []
     for number, (rod, energy) in enumerate(zip(scene.rods, energies, strict=True)):
-        values = {
+        values: dict[str, Any] = {
             name: _of_shape(arrays, f"rods/{number}/{name}", _shape(name, rod.edges))
             for name in _ROD_ARRAYS
         }
-        out.append(RodEquilibrium(rod, **sealed(values), **dict(zip(_ENERGIES, energy, strict=True))))
+        values |= zip(_ENERGIES, energy, strict=True)
+        out.append(RodEquilibrium(rod, **sealed(values)))
     return tuple(out)
 
 

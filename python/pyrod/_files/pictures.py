@@ -1,0 +1,24 @@
+"""Pictures of results in files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from pyrod._optional import need
+from pyrod.equilibrium import Equilibrium
+
+
+def save_picture(result: Equilibrium, path: Path, **style: Any) -> None:
+    """What `Equilibrium.plot` draws."""
+    pyplot = need("matplotlib.pyplot", "plot")
+    figure: Any = result.plot(**style).figure
+    try:
+        figure.savefig(path)
+    finally:
+        pyplot.close(figure)
+
+
+def save_html(result: Equilibrium, path: Path, **options: Any) -> None:
+    """What `Equilibrium.to_html` writes."""
+    result.to_html(path, **options)
