@@ -1,14 +1,19 @@
 """Scenes and measures of sweeps that other processes can import; run as a program, a sweep.
 
-Usage: sweeps.py FILE [STORE]: writes the pickled sweep. Started by ``mpiexec -n N python -m
-mpi4py.futures`` it is spread over N - 1 processes.
+Usage: sweeps.py mpi|spawn FILE: writes the pickled sweep, whose functions are those of the main
+module then. Started by ``mpiexec -n N python -m mpi4py.futures``, mpi spreads it over N - 1
+processes.
 """
 
 from __future__ import annotations
 
+import multiprocessing
+import os
 import pickle
 import sys
+from concurrent.futures import Executor, ProcessPoolExecutor
 from pathlib import Path
+from time import sleep
 from typing import Any
 
 import numpy as np
@@ -33,12 +38,39 @@ def shape(result: pyrod.Equilibrium) -> dict[str, Any]:
     return {"positions": r, "side": "left" if r[-1, 0] < 0.5 else "right", "energy": result.energy}
 
 
-def main() -> None:
-    from mpi4py.futures import MPIPoolExecutor
+def logged(load: float, log: str) -> Scene:
+    """Takes its time, and leaves a line in a file."""
+    with Path(log).open("a") as file:
+        file.write(f"{load}\n")
+    sleep(0.005)
+    return cantilever(load, 1.0)
 
-    with MPIPoolExecutor() as pool:
-        done = pyrod.sweep(cantilever, GRID, measure=shape, executor=pool, progress=False)
-    Path(sys.argv[1]).write_bytes(pickle.dumps(done))
+
+def resumable(folder: Path) -> pyrod.Sweep:
+    """A sweep that takes a second, with its store and its log in a folder."""
+    parameters = {"load": np.linspace(0.1, 14.0, 140), "log": [str(folder / "log")]}
+    return pyrod.sweep(logged, parameters, store=folder / "store", progress=False)
+
+
+def dying(load: float) -> Scene:
+    """Takes the process with it."""
+    os._exit(1)
+
+
+def pool(kind: str) -> Executor:
+    """Two processes."""
+    if kind == "mpi":
+        from mpi4py.futures import MPIPoolExecutor
+
+        return MPIPoolExecutor()
+    return ProcessPoolExecutor(2, multiprocessing.get_context(kind))
+
+
+def main() -> None:
+    kind, path = sys.argv[1:]
+    with pool(kind) as executor:
+        done = pyrod.sweep(cantilever, GRID, measure=shape, executor=executor, progress=False)
+    Path(path).write_bytes(pickle.dumps(done))
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import numpy as np
 from pyrod._sweep.cases import RESERVED
 from pyrod.equilibrium import Equilibrium
 
+_KINDS = {"b": bool, "i": int, "u": int, "f": float}
 Measure = Callable[[Equilibrium], Mapping[str, Any]]
 
 
@@ -59,8 +60,8 @@ def _plain(name: str, value: Any) -> Any:
     if isinstance(value, str):
         return value
     array = np.array(value)
-    if array.dtype.kind not in "biuf":
+    if array.dtype.kind not in _KINDS:
         raise TypeError(
             f"measure: {name!r} must be a number, text or an array of real numbers, got {value!r}"
         )
-    return array if array.ndim else array.item()
+    return array.astype(_KINDS[array.dtype.kind]) if array.ndim else array.item()
