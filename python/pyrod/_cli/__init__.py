@@ -43,7 +43,7 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(title="commands", metavar="COMMAND", parser_class=_Parser)
     for command in COMMANDS:
         sub = commands.add_parser(
-            command.NAME, help=command.HELP, description=command.__doc__.strip()
+            command.NAME, help=command.HELP, description=command.__doc__
         )
         sub.add_argument("--json", action="store_true", help="print one JSON object, for programs")
         command.add_arguments(sub)

@@ -9,6 +9,8 @@ from typing import Any
 import pyrod
 from pyrod._cli._output import Output
 from pyrod._cli._summary import lines, summary
+from pyrod._document import load_file
+from pyrod._files import check_target
 from pyrod.equilibrium import Equilibrium
 
 NAME = "solve"
@@ -47,14 +49,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace, output: Output) -> int:
     """Solves, reports, writes."""
-    from pyrod.files import check_writable, read_scene
-
-    scene, options = read_scene(args.scene)
+    content = load_file(args.scene)
     targets = [*args.output, *([args.plot] if args.plot else [])]
     for path in targets:
-        check_writable(path)
+        check_target(path)
     with output.heeding():
-        result = _solved(scene, {**options, **_given(args)}, args, output)
+        result = _solved(content.scene, {**content.options, **_given(args)}, args, output)
     for path in targets:
         result.save(path)
     if not args.quiet:

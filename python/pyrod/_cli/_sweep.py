@@ -18,6 +18,8 @@ import numpy as np
 
 import pyrod
 from pyrod._cli._output import Output
+from pyrod._document import load_file
+from pyrod._sweep.table import check_table
 
 NAME = "sweep"
 HELP = "solve a scene file for many values of its entries"
@@ -82,12 +84,12 @@ def _number(text: str) -> int | float | str:
 
 def run(args: argparse.Namespace, output: Output) -> int:
     """Solves, prints a table, writes it; 1 if all cases failed."""
-    from pyrod.files import read_scene
-
     entries = dict(args.entries)
     if args.jobs < 0:
         raise ValueError(f"jobs: must not be negative, got {args.jobs}")
-    _, options = read_scene(args.scene)
+    if args.output is not None:
+        check_table(args.output)
+    options = load_file(args.scene).options
     if args.tol is not None:
         options["tol"] = args.tol
     jobs = args.jobs or os.cpu_count() or 1

@@ -9,7 +9,7 @@ from typing import Any
 
 from pyrod._document.files import load_file, parsed, scene_text, text_of, told
 from pyrod._files.archives import is_result, load_json, load_npz, save_json, save_npz
-from pyrod._files.atomic import replacing
+from pyrod._files.atomic import check_place, replacing
 from pyrod._files.pictures import save_html, save_picture
 from pyrod._files.sheet import save_csv
 from pyrod._files.solids import save_painted, save_stl
@@ -59,16 +59,30 @@ def save(what: Scene | Equilibrium, path: str | Path, **options: Any) -> None:
     path = Path(path)
     if not isinstance(what, (Scene, Equilibrium)):
         raise TypeError(f"what: expected a Scene or an Equilibrium, got a {type(what).__name__}")
-    known = _SCENES if isinstance(what, Scene) else _RESULTS
-    writer = known.get(path.suffix)
-    if writer is None:
-        raise ValueError(
-            f"{path}: the suffix tells the format of a {type(what).__name__}, one of "
-            f"{', '.join(known)}"
-        )
+    writer = _writer(type(what), path)
     _check_options(writer, path, options)
     with replacing(path) as temporary:
         writer(what, temporary, **options)
+
+
+def check_target(path: Path) -> None:
+    """Refuses a path to which a result cannot be saved, before there is one.
+
+    Raises
+    ------
+    ValueError, FileNotFoundError, IsADirectoryError : as `save`.
+    """
+    _writer(Equilibrium, path)
+    check_place(path)
+
+
+def _writer(kind: type[Scene] | type[Equilibrium], path: Path) -> Callable[..., None]:
+    known = _SCENES if issubclass(kind, Scene) else _RESULTS
+    if path.suffix not in known:
+        raise ValueError(
+            f"{path}: the suffix tells the format of a {kind.__name__}, one of {', '.join(known)}"
+        )
+    return known[path.suffix]
 
 
 def _check_options(writer: Callable[..., None], path: Path, options: dict[str, Any]) -> None:

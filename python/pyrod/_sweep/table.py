@@ -126,8 +126,7 @@ class Sweep(Immutable):
         ------
         ValueError : it has another suffix.
         """
-        if Path(path).suffix != ".csv":
-            raise ValueError(f"path: a sweep is saved as .csv, got {str(path)!r}")
+        check_table(path)
         self.to_pandas().to_csv(path)
 
     def __repr__(self) -> str:
@@ -139,6 +138,12 @@ class Sweep(Immutable):
             count = np.count_nonzero(self.columns[name] != "")
             parts += [f"{count} {word}"] if count else []
         return f"Sweep({', '.join(parts)}, {self.elapsed:.2g} s)"
+
+
+def check_table(path: str | PathLike[str]) -> None:
+    """Refuses files that are no table."""
+    if Path(path).suffix != ".csv":
+        raise ValueError(f"path: a sweep is saved as .csv, got {str(path)!r}")
 
 
 def _filled(values: list[Any]) -> list[Any]:
