@@ -42,9 +42,7 @@ def parser() -> argparse.ArgumentParser:
     top.add_argument("--include", action="store_true", help="print the folder of the C++ headers")
     commands = top.add_subparsers(title="commands", metavar="COMMAND", parser_class=_Parser)
     for command in COMMANDS:
-        sub = commands.add_parser(
-            command.NAME, help=command.HELP, description=command.__doc__
-        )
+        sub = commands.add_parser(command.NAME, help=command.HELP, description=command.__doc__)
         sub.add_argument("--json", action="store_true", help="print one JSON object, for programs")
         command.add_arguments(sub)
         sub.set_defaults(run=command.run)

@@ -109,7 +109,7 @@ def draw_elastica(ax: Axes) -> None:
     ax.legend(loc="upper right", fontsize=8)
 
 
-def draw_helix(ax: Axes) -> None:
+def draw_helix(ax: Any) -> None:
     exact = case("S1_moment_a")
     pyrod.solve(exact.scene(DRAWN)).plot(ax, color="C4")
     ax.plot(*exact.sampled("r").T, "k.", markersize=3)
@@ -119,7 +119,7 @@ def draw_helix(ax: Axes) -> None:
     ax.view_init(elev=14, azim=-62)
 
 
-def draw_bend(ax: Axes) -> None:
+def draw_bend(ax: Any) -> None:
     rest = case("S2_bathe_P600_Jpolar_k5-6")
     scene = rest.scene(DRAWN)
     ax.plot(*scene.rod.at_rest(scene.clamp_position, scene.clamp_frame)[0].T, "--", color="0.6")

@@ -61,16 +61,16 @@ def _entry(text: str) -> tuple[str, list[Any]]:
 
 def _values(text: str) -> list[Any]:
     """Numbers where they are numbers; else text, such as "2 mm"."""
-    parts = text.split(":")
-    if len(parts) != 3:
+    if ":" not in text:
         return [_number(one) for one in text.split(",")]
     try:
-        first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
+        first, last, count = text.split(":")
+        numbers = np.linspace(float(first), float(last), max(int(count), 0)).tolist()
     except ValueError:
         raise argparse.ArgumentTypeError(f"expected first:last:count, got {text!r}") from None
-    if count < 1:
+    if not numbers:
         raise argparse.ArgumentTypeError(f"count must be at least 1, got {count}")
-    return np.linspace(first, last, count).tolist()
+    return numbers
 
 
 def _number(text: str) -> int | float | str:
