@@ -16,7 +16,7 @@ PIP     := $(PY) -m pip install --quiet
 SOURCES := CMakeLists.txt pyproject.toml README.md \
            $(shell find cmake cpp python -name __pycache__ -prune -o -print)
 
-.PHONY: help demo test test-cpp test-python bench sanitize lint format stubs clean
+.PHONY: help demo test test-cpp test-python bench sanitize coverage docs lint format stubs clean
 .DELETE_ON_ERROR:
 
 help: ## list the targets
@@ -31,7 +31,7 @@ test-cpp: build/tests/configured ## run the C++ tests
 	@cmake --build --preset dev
 	@ctest --preset dev
 
-test-python: $(VENV)/package $(VENV)/test-tools ## run the Python tests
+test-python: build/test-packages $(VENV)/package $(VENV)/test-tools ## run the Python tests
 	@$(PY) -m pytest
 
 bench: build/system-packages $(VENV)/package $(VENV)/test-tools ## run the benchmarks, 20 minutes
@@ -43,6 +43,12 @@ bench: build/system-packages $(VENV)/package $(VENV)/test-tools ## run the bench
 
 sanitize: build/system-packages $(VENV)/test-tools ## run all tests under the sanitizers
 	@cmake --workflow --preset asan
+	@cmake --workflow --preset tsan
+
+coverage: build/system-packages $(VENV)/package $(VENV)/test-tools ## tell which lines the tests reach
+	@cmake --workflow --preset coverage
+	@$(VENV)/bin/gcovr --filter cpp/include --print-summary build/coverage
+	@$(PY) -m pytest -q --cov --cov-report=term:skip-covered
 
 CXX_FILES = $(shell find cpp tests/cpp benchmarks examples -name '*.[ch]pp')
 
@@ -69,6 +75,10 @@ build/system-packages: scripts/system-packages.sh
 	@PYTHON=$(PYTHON) scripts/system-packages.sh
 	@mkdir -p build && touch $@
 
+build/test-packages: scripts/system-packages.sh build/system-packages
+	@PYTHON=$(PYTHON) scripts/system-packages.sh test
+	@touch $@
+
 build/tests/configured: CMakePresets.json build/system-packages
 	@cmake --preset dev
 	@touch $@
@@ -84,7 +94,7 @@ $(VENV)/package: $(VENV)/build-tools $(SOURCES)
 	@echo "Building and installing pyrod into $(VENV)"
 	@touch build/package-began
 	@$(PIP) --no-build-isolation --check-build-dependencies \
-	  --config-settings=build-dir=build/python '.[plot]'
+	  --config-settings=build-dir=build/python '.[all]'
 	@touch -r build/package-began $@ # what was edited meanwhile is newer
 
 # pyrod is there already: these only add the tools that its extras name.

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages that building and testing pyrod needs and this machine lacks.
+# Installs the Debian packages that building pyrod needs and this machine lacks; with the argument
+# "test" also the browser in which the tests open pages. (They go without, where there is none.)
 # Each need is checked by itself, so that anything provided otherwise is left alone.
 set -eu
 
@@ -43,6 +44,10 @@ check() {
   need libeigen3-dev header Eigen/Core
   need libsuitesparse-dev header cholmod.h
   need doctest-dev header doctest/doctest.h
+  if [ "${1:-}" = test ] && grep -qs '^ID=debian' /etc/os-release; then # Ubuntu's is a snap
+    need chromium program chromium
+    need chromium-driver program chromedriver
+  fi
 }
 
 give_up() {
@@ -51,7 +56,7 @@ give_up() {
   exit 1
 }
 
-check
+check "$@"
 test -n "$missing" || exit 0
 
 command -v apt-get >/dev/null || give_up "There is no apt-get here: please install them your way."
@@ -71,5 +76,5 @@ apt update || cat "$log" >&2 # the lists at hand may do
 # shellcheck disable=SC2086 # one word per package
 apt install --no-install-recommends $missing || { cat "$log" >&2; give_up "apt-get failed."; }
 
-check
+check "$@"
 test -z "$missing" || give_up "They are installed now, but are still not found."
