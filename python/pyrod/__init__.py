@@ -13,6 +13,7 @@ from pyrod._core import Options
 from pyrod._effects import Effect, effect, out_of_plane_index
 from pyrod._files import load, save
 from pyrod._many import solve_many
+from pyrod._paths import get_cmake_dir, get_include
 from pyrod._planarity import Planarity, is_planar
 from pyrod._solve import solve
 from pyrod._sweep import Sweep, sweep
@@ -68,6 +69,8 @@ __all__ = [
     "UnstableWarning",
     "curve",
     "effect",
+    "get_cmake_dir",
+    "get_include",
     "is_planar",
     "load",
     "out_of_plane_index",

@@ -1,7 +1,8 @@
 """Exact solutions from JSON files, as scenes.
 
-A folder of such files comes with the source of pyrod (``tests/reference``, where a README explains
-the format); other solvers can be tested against it, and pyrod against other files of the same form.
+A folder of such files comes with pyrod (`folder`; in its source ``tests/reference``, where a README
+explains the format); other solvers can be tested against it, and pyrod against other files of the
+same form.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import numpy as np
 from pyrod import _reference_notes as notes
 from pyrod._along import Model
 from pyrod._immutable import Array
+from pyrod._paths import folder as _installed
 from pyrod.equilibrium import Equilibrium
 from pyrod.loads import DistributedForce, DistributedMoment, Force, Load, Moment
 from pyrod.rod import Rod
@@ -207,6 +209,16 @@ def _pinned(
 
 def _nearer(q: Array) -> Array:
     return -q if q[0] < 0 else q
+
+
+def folder() -> Path:
+    """The folder of exact solutions that an installed pyrod brings along, for `load`.
+
+    Raises
+    ------
+    FileNotFoundError : pyrod is not installed but imported from its source folder
+    """
+    return _installed("_reference")
 
 
 def load(path: str | Path) -> list[Case]:
