@@ -52,12 +52,6 @@ def get_cmake_dir() -> str:
     the headers, C++20, Eigen, CHOLMOD and threads along; Eigen and CHOLMOD must be installed (see
     `get_include`).
 
-    Returns
-    -------
-    str : an absolute path
-
-    Raises
-    ------
-    FileNotFoundError : pyrod is not installed but imported from its source folder
+    Returns an absolute path; raises `FileNotFoundError` as `get_include` does.
     """
     return str(folder("lib", "cmake", "pyrod").absolute())
