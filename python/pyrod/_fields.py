@@ -59,15 +59,18 @@ class Field(NamedTuple):
     @property
     def at_vertices(self) -> Array:
         """Values at the vertices; those of edges are means of neighbours, at the ends theirs."""
-        if self.kind.place == "vertex":
-            return self.values
-        v = self.values
-        return np.concatenate([v[:1], (v[:-1] + v[1:]) / 2, v[-1:]])
+        return self.values if self.kind.place == "vertex" else between_edges(self.values)
 
     @property
     def magnitude(self) -> Array:
         """(rows,) the values of a scalar, or the Euclidean norms of the rows."""
         return self.values if self.values.ndim == 1 else np.linalg.norm(self.values, axis=1)
+
+
+def between_edges(values: Array) -> Array:
+    """At vertices, (n + 1, ...), of what edges have: means of neighbours, at the ends theirs."""
+    v = values
+    return np.concatenate([v[:1], (v[:-1] + v[1:]) / 2, v[-1:]])
 
 
 def field(rod: RodEquilibrium, name: str) -> Field:

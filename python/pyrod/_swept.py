@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyrod._fields import field
 from pyrod._immutable import Array
 from pyrod._outlines import outlines
 from pyrod._polygons import triangles
@@ -32,6 +31,7 @@ class Swept(NamedTuple):
     caps: Indices  #: (t, 3) points of the triangles across them
     rod: Indices  #: (p,) number of the rod to which a point belongs
     vertex: Indices  #: (p,) number of the vertex of that rod
+    edge: Indices  #: (f + t,) number of the edge of that rod to which a face belongs
 
     @property
     def triangles(self) -> Indices:
@@ -39,11 +39,19 @@ class Swept(NamedTuple):
         q = self.quads
         return np.vstack([q[:, [0, 1, 2]], q[:, [0, 2, 3]], self.caps])
 
-    def values(self, result: Equilibrium, name: str) -> Array:
-        """(p,) or (p, components) values of a quantity of `pyrod._fields` at the points."""
-        at_vertices = [field(rod, name).at_vertices for rod in result.rods]
-        first = np.cumsum([0, *map(len, at_vertices)])[:-1]
-        return np.concatenate(at_vertices)[first[self.rod] + self.vertex]
+    def at_points(self, of_rods: Sequence[Array]) -> Array:
+        """(p, ...) of what each rod has at its vertices, (n + 1, ...)."""
+        return _picked(of_rods, self.rod, self.vertex)
+
+    def on_faces(self, of_rods: Sequence[Array]) -> Array:
+        """(f + t, ...) of what each rod has on its edges, (n, ...): on quads, then on caps."""
+        corner = np.concatenate([self.quads[:, 0], self.caps[:, 0]])
+        return _picked(of_rods, self.rod[corner], self.edge)
+
+
+def _picked(of_rods: Sequence[Array], rod: Indices, row: Indices) -> Array:
+    first = np.cumsum([0, *map(len, of_rods[:-1])])
+    return np.concatenate(of_rods)[first[rod] + row]
 
 
 def swept(result: Equilibrium, sides: int = 24) -> Swept:
@@ -69,7 +77,9 @@ def swept(result: Equilibrium, sides: int = 24) -> Swept:
         for number, one in enumerate(result.rods)
         for run in _runs(outlines(one.rod))
     ]
-    points, quads, caps, rod, vertex = zip(*parts, strict=True)
+    points, quads, caps, rod, vertex, edge = zip(*parts, strict=True)
+    of_quads = [e[: len(q)] for e, q in zip(edge, quads, strict=True)]
+    of_caps = [e[len(q) :] for e, q in zip(edge, quads, strict=True)]
     first = np.cumsum([0, *map(len, points[:-1])])
     return Swept(
         np.vstack(points),
@@ -77,6 +87,7 @@ def swept(result: Equilibrium, sides: int = 24) -> Swept:
         np.vstack([part + at for part, at in zip(caps, first, strict=True)]),
         np.concatenate(rod),
         np.concatenate(vertex),
+        np.concatenate(of_quads + of_caps),
     )
 
 
@@ -115,14 +126,22 @@ def _sweep(rod: RodEquilibrium, number: int, run: Run, sides: int) -> Swept:
     else:
         for block, turn in zip(blocks, met, strict=True):
             index[-1, block] = np.roll(index[0, block], turn)
-        points, vertices = points[:-1], vertices[:-1]
+        points = points[:-1]
     return Swept(
         points.reshape(-1, 3),
         np.vstack([_sides(index[:, block]) for block in blocks]),
         caps,
         np.full(points[..., 0].size, number),
-        np.repeat(vertices, points.shape[1]),
+        np.repeat(vertices[: len(points)], points.shape[1]),
+        _edges(vertices, blocks, len(caps)),
     )
+
+
+def _edges(vertices: Indices, blocks: list[slice], caps: int) -> Indices:
+    """The edges of the faces: of the sides, of the caps at the start, of those at the end."""
+    sides = [np.repeat(vertices[:-1], block.stop - block.start) for block in blocks]
+    ends = [np.full(caps // 2, edge) for edge in (vertices[0], vertices[-1] - 1)]
+    return np.concatenate(sides + ends)
 
 
 def _blocks(loops: tuple[Array, ...]) -> list[slice]:

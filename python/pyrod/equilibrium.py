@@ -10,6 +10,7 @@ import numpy as np
 
 from pyrod import _core
 from pyrod._immutable import Array, Immutable, Lazy
+from pyrod._pictures import Pictures
 from pyrod._savable import Savable
 from pyrod.accuracy import Accuracy
 from pyrod.rotation import exp, multiply, rotate
@@ -17,8 +18,6 @@ from pyrod.scene import Scene
 from pyrod.supports import Support
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from pyrod._effects import Effect, Of, Quantity
     from pyrod.rod import Rod
 
@@ -92,7 +91,7 @@ class RodEquilibrium(Lazy, Immutable):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Equilibrium(Lazy, Immutable, Savable):
+class Equilibrium(Pictures, Savable, Lazy, Immutable):
     """Equilibrium of a scene: its `rods`, and how it was found.
 
     Of a scene with one rod, all that `RodEquilibrium` knows is to be had directly: ``positions``,
@@ -255,12 +254,6 @@ class Equilibrium(Lazy, Immutable, Savable):
     def _support_position(self, support: Support) -> Array:
         rod, vertex = self.scene._network._vertex(support.at)
         return self.rods[rod].positions[vertex]
-
-    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the centrelines and the directors a1 with matplotlib; see `pyrod.plot.draw`."""
-        from pyrod.plot import draw
-
-        return draw(self, ax, **style)
 
     def __repr__(self) -> str:
         how = "" if self.converged else f", {self.status}"

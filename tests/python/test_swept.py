@@ -175,20 +175,36 @@ def test_rods_of_a_net_are_told_apart() -> None:
     np.testing.assert_allclose(mesh.points[:, 2], z[5 * mesh.rod + mesh.vertex], atol=1e-12)
 
 
-def test_values_are_those_of_the_vertices() -> None:
-    result = bent(FLAT)
-    mesh = swept(result)
-    np.testing.assert_array_equal(mesh.values(result, "moment"), result.moment[mesh.vertex])
-    np.testing.assert_array_equal(mesh.values(result, "s"), result.s[mesh.vertex])
-    assert mesh.values(result, "Gamma").shape == (len(mesh.points), 3)
+@pytest.fixture(scope="module")
+def net() -> pyrod.Equilibrium:
+    section = [FLAT, FLAT, TUBE, TUBE]
+    rods = [Rod.straight(1.0, 4, section), Rod.straight(3.0, 6, FLAT).placed((0, 0, 1))]
+    return pyrod.solve(Scene(rods, Clamp(), joints=Joint(((0, "end"), (1, "start")))))
 
 
-def test_values_of_several_rods() -> None:
-    rods = [Rod.straight(1.0, 4, FLAT), Rod.straight(3.0, 6, FLAT).placed((0, 0, 1))]
-    scene = Scene(rods, Clamp(), joints=Joint(((0, "end"), (1, "start"))))
-    mesh = swept(result := pyrod.solve(scene))
-    s = mesh.values(result, "s")
-    np.testing.assert_allclose(s[mesh.rod == 1], mesh.points[mesh.rod == 1, 2] - 1, atol=1e-12)
+def test_values_at_points_are_those_of_their_vertices(net: pyrod.Equilibrium) -> None:
+    mesh = swept(net)
+    s = mesh.at_points([rod.s for rod in net.rods])
+    np.testing.assert_allclose(s + mesh.rod, mesh.points[:, 2], atol=1e-12)
+    frames = mesh.at_points([rod.vertex_frames for rod in net.rods])
+    assert frames.shape == (len(mesh.points), 4)
+
+
+def test_values_on_faces_are_those_of_their_edges(net: pyrod.Equilibrium) -> None:
+    mesh = swept(net)
+    low, high = (
+        mesh.on_faces([rod.positions[i : len(rod.s) - 1 + i, 2] for rod in net.rods])
+        for i in (0, 1)
+    )
+    z = [mesh.points[faces, 2] for faces in (mesh.quads, mesh.caps)]
+    least = np.concatenate([of.min(axis=1) for of in z])
+    largest = np.concatenate([of.max(axis=1) for of in z])
+    flat = least == largest
+    np.testing.assert_allclose(low[~flat], least[~flat], atol=1e-12)
+    np.testing.assert_allclose(high[~flat], largest[~flat], atol=1e-12)
+    at_an_end = np.isclose(least[flat], low[flat]) | np.isclose(least[flat], high[flat])
+    assert at_an_end.all()
+    assert flat.sum() == len(mesh.caps) > 0
 
 
 def test_a_single_edge() -> None:

@@ -1,0 +1,324 @@
+"""Pictures besides the plain shape: strains, forces, stability, colours, and the overview."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.collections import LineCollection
+from support import FLAT, SOFT, solved
+
+import pyrod
+from pyrod import Clamp, Force, Hinge, Joint, Rod, Scene, Section, Slider, plot
+from pyrod._displaced import mode_displacements
+from pyrod._measure import measure, measures
+
+Equilibrium = pyrod.Equilibrium
+
+
+@pytest.fixture(autouse=True)
+def close_figures() -> Iterator[None]:
+    yield
+    plt.close("all")
+
+
+@pytest.fixture(scope="module")
+def one() -> Equilibrium:
+    rod = Rod.precurved(1.0, 10, SOFT, (0.3, 1.0, 0.5))
+    return solved(rod, Force((1, 3, -5)), eigenvalue=True)
+
+
+@pytest.fixture(scope="module")
+def flat() -> Equilibrium:
+    rod = Rod.straight(1.0, 10, FLAT)
+    return solved(rod, Force((1, 0, 0)), space="planar", eigenvalue=True)
+
+
+@pytest.fixture(scope="module")
+def net() -> Equilibrium:
+    rods = [
+        Rod.straight(1.0, 6, SOFT),
+        Rod.straight(1.0, 5, Section(1, 1, 1)).placed((0, 0, 1), tangent=(1, 0, 0)),
+    ]
+    joint = Joint(((0, "end"), (1, "start")))
+    scene = Scene(rods, Clamp(), Force((0, 2, -1), at=(1, "end")), joints=joint)
+    return pyrod.solve(scene, eigenvalue=True)
+
+
+def lines(ax: Any) -> dict[str, Any]:
+    return {line.get_label(): line for line in ax.lines if line.get_label()[0] != "_"}
+
+
+def steps(ax: Any) -> dict[str, Any]:
+    return {patch.get_label(): patch for patch in ax.patches}
+
+
+# Along the rod ------------------------------------------------------------------------------------
+
+
+def test_strains_are_those_beyond_rest(one: Equilibrium) -> None:
+    upper, lower = one.plot(what="strains")
+    for i, name in enumerate(("K1", "K2", "K3")):
+        x, y = lines(upper)[name].get_data()
+        np.testing.assert_array_equal(x, one.s)
+        np.testing.assert_allclose(y, (one.K - [0.3, 1.0, 0.5])[:, i], atol=1e-14)
+    for i, name in enumerate(("Γ1", "Γ2", "Γ3")):
+        values, edges, baseline = steps(lower)[name].get_data()
+        np.testing.assert_allclose(values, (one.Gamma - [0, 0, 1])[:, i], atol=1e-15)
+        np.testing.assert_array_equal(edges, one.s)
+        assert baseline is None
+    assert "K - K0 [1/m]" in upper.get_ylabel()
+    assert "Γ - e3 [1]" in lower.get_ylabel()
+    assert (upper.get_xlabel(), lower.get_xlabel()) == ("", "arc length s [m]")
+
+
+def test_forces_are_those_in_space(one: Equilibrium) -> None:
+    upper, lower = one.plot(what="forces")
+    for i, axis in enumerate("xyz"):
+        np.testing.assert_array_equal(steps(upper)[f"n_{axis}"].get_data()[0], one.force[:, i])
+        np.testing.assert_array_equal(lines(lower)[f"m_{axis}"].get_ydata(), one.moment[:, i])
+    assert "n [N]" in upper.get_ylabel()
+    assert "m [N m]" in lower.get_ylabel()
+    assert {text.get_text() for text in lower.get_legend().texts} == {"m_x", "m_y", "m_z"}
+
+
+@pytest.mark.parametrize(
+    ("model", "drawn"),
+    [("cosserat", {"Γ1", "Γ2", "Γ3"}), ("extensible", {"Γ3"}), ("inextensible", set())],
+)
+def test_strains_that_the_model_has_not_are_not_drawn(model: str, drawn: set[str]) -> None:
+    result = solved(Rod.straight(1.0, 4, SOFT, model), Force((1, 0, 0)))  # type: ignore[arg-type]
+    _, lower = result.plot(what="strains")
+    assert set(steps(lower)) == drawn
+    assert [text.get_text() for text in lower.texts] == ["the model has none"] * (not drawn)
+
+
+def test_several_rods_have_a_colour_each_and_components_a_line_style(net: Equilibrium) -> None:
+    _, lower = net.plot(what="forces")
+    found = lines(lower)
+    assert len(found) == 6
+    for number, rod in enumerate(net.rods):
+        of_rod = [found[f"rod {number}: m_{axis}"] for axis in "xyz"]
+        assert {line.get_color() for line in of_rod} == {f"C{number}"}
+        assert [line.get_linestyle() for line in of_rod] == ["-", "--", ":"]
+        np.testing.assert_array_equal(of_rod[1].get_ydata(), rod.moment[:, 1])
+    legend = [text.get_text() for text in lower.get_legend().texts]
+    assert legend == ["rod 0", "rod 1", "m_x", "m_y", "m_z"]
+
+
+def test_markers_show_the_vertices_where_there_are_few() -> None:
+    for edges, marker in ((5, "."), (60, "None")):
+        _, lower = solved(Rod.straight(1.0, edges, FLAT), Force((1, 0, 0))).plot(what="forces")
+        assert lines(lower)["m_x"].get_marker() == marker
+
+
+def test_given_axes_are_used(one: Equilibrium) -> None:
+    _, given = plt.subplots(2)
+    figures = plt.get_fignums()
+    found = one.plot(given, what="strains", linewidth=3)
+    assert list(found) == list(given)
+    assert plt.get_fignums() == figures
+    assert lines(given[0])["K1"].get_linewidth() == 3
+    assert steps(given[1])["Γ1"].get_linewidth() == 3
+    with pytest.raises(ValueError, match="ax: expected 2 axes for force, moment, got 1"):
+        one.plot(given[0], what="forces")
+
+
+# Stability ----------------------------------------------------------------------------------------
+
+
+def test_the_mode_is_drawn_on_both_sides(one: Equilibrium) -> None:
+    ax = one.plot(what="stability")
+    shape, there, back = (np.transpose(line.get_data_3d()) for line in ax.lines)
+    np.testing.assert_array_equal(shape, one.positions)
+    np.testing.assert_allclose(there - shape, shape - back, atol=1e-15)
+    size = np.linalg.norm(there - shape, axis=1).max()
+    assert size == pytest.approx(0.1 * np.ptp(one.positions, axis=0).max(), rel=1e-12)
+    assert f"index 0, eigenvalue {one.lowest_eigenvalue:.4g} N m" in ax.get_title()
+
+
+def test_the_mode_of_a_planar_scene_is_drawn_in_its_plane(flat: Equilibrium) -> None:
+    ax = plt.figure().add_subplot()
+    assert flat.plot(ax, what="stability") is ax
+    shape, there, _ = (line.get_xydata() for line in ax.lines)
+    np.testing.assert_allclose(shape, flat.positions[:, [2, 0]], atol=1e-15)
+    assert (np.abs(there - shape)[1:] > 1e-4).any(axis=1).all()
+
+
+def test_a_neutral_mode_is_told() -> None:
+    scene = Scene(Rod.straight(1.0, 4, FLAT), [Hinge(at="start"), Hinge(at="end")])
+    assert "neutral" in pyrod.solve(scene, eigenvalue=True).plot(what="stability").get_title()
+
+
+def test_a_mode_needs_to_be_asked_for() -> None:
+    result = solved(Rod.straight(1.0, 4, FLAT), Force((1, 0, 0)))
+    with pytest.raises(ValueError, match="no mode; solve with eigenvalue=True"):
+        result.plot(what="stability")
+    assert not plt.get_fignums()
+
+
+def test_displacements_are_the_derivative_of_the_shape(one: Equilibrium) -> None:
+    """Of an inextensible rod turned by a small amount along the mode, and put together again."""
+    rod = Rod.precurved(1.0, 10, Section(1, 1.3, 0.8), (0.3, 1.0, 0.5))
+    result = solved(rod, Force((1, 3, -5)), eigenvalue=True)
+    shapes = []
+    for amplitude in (1e-5, -1e-5):
+        a3 = pyrod.rotation.rotate(result.along_mode(amplitude), (0, 0, 1))
+        shapes.append(np.vstack([np.zeros(3), np.cumsum(0.1 * a3, axis=0)]))
+    (moves,) = mode_displacements(result)
+    np.testing.assert_allclose(moves, (shapes[0] - shapes[1]) / 2e-5, atol=1e-9)
+
+
+def test_buckling_of_a_column_held_at_both_ends() -> None:
+    """Clamped, and clamped in a slider: the displacement is 1 - cos(2 pi s)."""
+    ends = [Clamp(), Slider((0, 0, 1), clamped=True)]
+    rod = Rod.straight(1.0, 64, FLAT)
+    result = pyrod.solve(Scene(rod, ends, Force((0, 0, -38.0), at="end")), eigenvalue=True)
+    (moves,) = mode_displacements(result)
+    expected = (1 - np.cos(2 * np.pi * result.s)) / 2
+    np.testing.assert_allclose(np.abs(moves[:, 0]) / np.abs(moves).max(), expected, atol=1e-3)
+    np.testing.assert_allclose(moves[:, 1:], 0, atol=1e-9)
+
+
+def test_displacements_of_rods_held_elsewhere_and_joined(net: Equilibrium) -> None:
+    first, second = mode_displacements(net)
+    np.testing.assert_allclose(first[0], 0, atol=1e-12)
+    np.testing.assert_allclose(first[-1], second[0], atol=1e-12)
+    rod = Rod.straight(1.0, 6, FLAT)
+    held = pyrod.solve(Scene(rod, Clamp(at="end"), Force((1, 0, 0), at="start")), eigenvalue=True)
+    (moves,) = mode_displacements(held)
+    np.testing.assert_allclose(moves[-1], 0, atol=1e-12)
+    assert np.linalg.norm(moves[0]) > 0.1
+
+
+# Colours ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("of", ["moment", "material_moment.2", "s"])
+def test_vertices_colour_their_half_edges(one: Equilibrium, of: str) -> None:
+    ax = one.plot(colour_by=of, directors=False)
+    (found,) = ax.collections
+    expected = {
+        "moment": np.linalg.norm(one.moment, axis=1),
+        "material_moment.2": one.material_moment[:, 1],
+        "s": one.s,
+    }
+    np.testing.assert_allclose(found.get_array(), expected[of], rtol=1e-14)
+    pieces = np.array(found._segments3d)
+    np.testing.assert_allclose(pieces[:, 1], one.positions, atol=1e-15)
+    np.testing.assert_allclose(pieces[1:, 0], pieces[:-1, 2], atol=1e-15)
+    middle = (one.positions[1:] + one.positions[:-1]) / 2
+    np.testing.assert_allclose(pieces[1:, 0], middle, atol=1e-15)
+    limits = np.array([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
+    assert (np.ptp(limits, axis=1) < 1.2).all()
+
+
+def test_edges_are_coloured_whole(flat: Equilibrium) -> None:
+    ax = flat.plot(colour_by="force.x")
+    (found,) = (c for c in ax.collections if isinstance(c, LineCollection))
+    np.testing.assert_array_equal(found.get_array(), flat.force[:, 0])
+    pieces = np.array(found.get_segments())
+    local = flat.positions[:, [2, 0]]
+    np.testing.assert_allclose(pieces, np.stack([local[:-1], local[1:]], axis=1), atol=1e-15)
+    assert ax.get_aspect() == 1
+    low, high = np.transpose([ax.get_xlim(), ax.get_ylim()])
+    assert (low <= local.min(axis=0)).all()
+    assert (high >= local.max(axis=0)).all()
+
+
+def test_the_bar_tells_quantity_and_unit(net: Equilibrium) -> None:
+    ax = net.plot(colour_by="moment.y")
+    (bar,) = (other for other in ax.figure.axes if other is not ax)
+    assert bar.get_ylabel() == "section moment m_y [N m]"
+    values = np.concatenate([rod.moment[:, 1] for rod in net.rods])
+    assert bar.get_ylim() == pytest.approx((values.min(), values.max()))
+
+
+def test_all_measures_have_a_number_per_row_and_a_label(one: Equilibrium) -> None:
+    assert {"s", "moment", "moment.x", "frames.qw", "Gamma.3"} <= set(measures())
+    for name in measures():
+        found = measure(one, name)
+        (values,) = found.values
+        assert values.shape == (11 if found.place == "vertex" else 10,), name
+        assert found.label.endswith("]"), name
+        assert found.at_vertices[0].shape == (11,)
+    assert measure(one, "s").label == "arc length s [m]"
+    assert measure(one, "K").label == "curvature and twist |K| [1/m]"
+    assert measure(one, "K.3").label == "curvature and twist K3 [1/m]"
+    assert measure(one, "Gamma.3").label == "shear and stretch Γ3 [1]"
+    assert measure(one, "frames.qw").label == "frame qw [1]"
+
+
+def test_values_of_edges_at_vertices_are_means(one: Equilibrium) -> None:
+    values = measure(one, "force.x").at_vertices[0]
+    np.testing.assert_allclose(values[1], one.force[:2, 0].mean(), rtol=1e-15)
+    np.testing.assert_array_equal(values[[0, -1]], one.force[[0, -1], 0])
+
+
+# Overview -----------------------------------------------------------------------------------------
+
+
+def titles(figure: Any) -> list[str]:
+    return [ax.get_title() for ax in figure.axes if ax.get_title()]
+
+
+def test_the_overview_has_all_that_is_known(one: Equilibrium) -> None:
+    figure = one.overview()
+    labels = [ax.get_ylabel() for ax in figure.axes]
+    for symbol in ("K - K0 [1/m]", "Γ - e3 [1]", "n [N]", "m [N m]", "residual [N m]"):
+        assert sum(label.endswith(symbol) for label in labels) == 1, symbol
+    assert any("lowest mode" in title for title in titles(figure))
+    head = figure.get_suptitle()
+    for fact in ("converged", "index 0", f"energy {one.energy:.6g} J", "ms", "cosserat"):
+        assert fact in head
+    record = next(ax for ax in figure.axes if ax.get_xlabel() == "iteration")
+    np.testing.assert_array_equal(record.lines[0].get_ydata(), one.record["residual"])
+
+
+def test_the_overview_leaves_out_what_there_is_not(net: Equilibrium) -> None:
+    result = solved(Rod.straight(1.0, None, FLAT), Force((1, 0, 0)), space="planar", tol=1e-4)
+    figure = result.overview()
+    assert not any("Γ" in ax.get_ylabel() for ax in figure.axes)
+    assert not any("mode" in title for title in titles(figure))
+    assert str(result.accuracy) in figure.get_suptitle()
+    assert "2 rods" in net.overview().get_suptitle()
+
+
+def test_a_rod_that_is_at_rest_has_an_overview() -> None:
+    figure = solved(Rod.straight(1.0, 4, FLAT)).overview()
+    figure.canvas.draw()
+    assert "converged" in figure.get_suptitle()
+
+
+# What is refused ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"what": "beauty"}, "what: expected one of shape, strains, forces, stability"),
+        ({"colour_by": "beauty"}, "quantity: expected one of s, positions"),
+        ({"colour_by": "moment.1"}, "quantity: moment has moment.x, moment.y, moment.z"),
+        ({"colour_by": "s.x"}, "quantity: s has no components; got 's.x'"),
+        ({"colour_by": "moment", "what": "forces"}, "only the shape can be coloured"),
+        ({"colour_by": "moment", "color": "red"}, "color: give either it or colour_by"),
+    ],
+)
+def test_bad_arguments(one: Equilibrium, arguments: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        one.plot(**arguments)
+    assert not plt.get_fignums()
+
+
+@pytest.mark.parametrize("draw", [plot.draw, plot.overview])
+def test_without_matplotlib_the_remedy_is_told(
+    one: Equilibrium, draw: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(sys.modules, "matplotlib.pyplot")
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ImportError, match=r"pip install 'pyrod\[plot\]'"):
+        draw(one)
