@@ -1,14 +1,16 @@
-"""Rods, scenes and comparisons that several test files use."""
+"""Rods, scenes, comparisons and missing packages that several test files use."""
 
 from __future__ import annotations
 
 import json
+import sys
 from itertools import pairwise
 from math import factorial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import strategies as st
 
 import pyrod
@@ -111,6 +113,24 @@ def same_sweep(a: pyrod.Sweep, b: pyrod.Sweep, but: tuple[str, ...] = ("time",))
     for name in a.columns.keys() - set(but):
         assert a[name].dtype == b[name].dtype
         np.testing.assert_array_equal(a[name], b[name], name)
+
+
+class Missing:
+    """A finder of modules that does not find one package, as where it is not installed."""
+
+    def __init__(self, package: str) -> None:
+        self.package = package
+
+    def find_spec(self, name: str, *_: Any) -> None:
+        if name.partition(".")[0] == self.package:
+            raise ModuleNotFoundError(f"No module named {self.package!r}", name=self.package)
+
+
+def uninstall(monkeypatch: pytest.MonkeyPatch, package: str) -> None:
+    """Makes imports of a package fail, also where it was imported before."""
+    for name in [name for name in sys.modules if name.partition(".")[0] == package]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setattr(sys, "meta_path", [Missing(package), *sys.meta_path])
 
 
 # Smooth curves ------------------------------------------------------------------------------------

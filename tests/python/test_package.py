@@ -181,7 +181,14 @@ def test_public_functions_are_documented(name: str, function: object) -> None:
         pyrod.curve.Polyline.bishop,
         pyrod.curve.Polyline.derivative,
         pyrod.Rod.energy,
+        pyrod.Rod.outline,
+        pyrod.Outline.polygon,
+        pyrod.Outline.loops,
+        pyrod.Equilibrium.show,
+        pyrod.Equilibrium.to_html,
+        pyrod.Equilibrium.to_pyvista,
         plot.draw,
+        plot.overview,
     ],
 )
 def test_parameters_are_described(function: object) -> None:
@@ -235,7 +242,7 @@ def test_results_explain_their_fields(made: type) -> None:
 
 
 def test_modules_are_documented() -> None:
-    for path in (*PACKAGE.glob("*.py"), *PACKAGE.glob("curve/*.py")):
+    for path in (*PACKAGE.glob("*.py"), *PACKAGE.glob("curve/*.py"), *PACKAGE.glob("plot/*.py")):
         module = ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
         if path.stem != "__main__":
             assert importlib.import_module(module).__doc__, path

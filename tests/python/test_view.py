@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from support import uninstall
 
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Hinge, Joint, Material, Rod, Scene, Section
@@ -245,7 +245,7 @@ def test_unknown_quantities_are_refused(bent: pyrod.Equilibrium) -> None:
 def test_without_pyvista_the_remedy_is_told(
     bent: pyrod.Equilibrium, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(sys.modules, "pyvista", None)
+    uninstall(monkeypatch, "pyvista")
     for picture in (bent.show, bent.to_pyvista):
         with pytest.raises(ImportError, match=r"pip install 'pyrod\[view\]'"):
             picture()
