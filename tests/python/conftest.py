@@ -1,8 +1,40 @@
-"""Settings of all Python tests: the property tests draw the same examples in every run."""
+"""Settings of all Python tests, and what those of pictures share.
+
+Property tests draw the same examples in every run.
+"""
+
+from collections.abc import Iterator
 
 import matplotlib as mpl
+import pytest
 from hypothesis import settings
+from support import FLAT, SOFT, solved
+
+import pyrod
 
 mpl.use("Agg")
 settings.register_profile("fixed", derandomize=True, deadline=None, database=None, max_examples=40)
 settings.load_profile("fixed")
+
+
+@pytest.fixture
+def close_figures() -> Iterator[None]:
+    """Leaves no figure of a test to the next."""
+    import matplotlib.pyplot as plt
+
+    yield
+    plt.close("all")
+
+
+@pytest.fixture(scope="session")
+def cantilever() -> pyrod.Equilibrium:
+    """In space, curved at rest, with all strains and its lowest mode."""
+    rod = pyrod.Rod.precurved(1.0, 10, SOFT, (0.3, 1.0, 0.5))
+    return solved(rod, pyrod.Force((1, 3, -5)), eigenvalue=True)
+
+
+@pytest.fixture(scope="session")
+def planar_cantilever() -> pyrod.Equilibrium:
+    """In the plane, inextensible, with its lowest mode."""
+    rod = pyrod.Rod.straight(1.0, 10, FLAT)
+    return solved(rod, pyrod.Force((1, 0, 0)), space="planar", eigenvalue=True)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -14,12 +12,7 @@ import pyrod
 from pyrod import Clamp, Force, Rod, rotation
 
 CLAMP = Clamp((1, 2, 3), tangent=(1, 0, 0), normal=(0, 0, 1))
-
-
-@pytest.fixture(autouse=True)
-def close_figures() -> Iterator[None]:
-    yield
-    plt.close("all")
+pytestmark = pytest.mark.usefixtures("close_figures")
 
 
 @pytest.fixture

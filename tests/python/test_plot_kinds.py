@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -15,24 +14,7 @@ import pyrod
 from pyrod import Clamp, Force, Joint, Rod, Scene, Section, plot
 
 Equilibrium = pyrod.Equilibrium
-
-
-@pytest.fixture(autouse=True)
-def close_figures() -> Iterator[None]:
-    yield
-    plt.close("all")
-
-
-@pytest.fixture(scope="module")
-def one() -> Equilibrium:
-    rod = Rod.precurved(1.0, 10, SOFT, (0.3, 1.0, 0.5))
-    return solved(rod, Force((1, 3, -5)), eigenvalue=True)
-
-
-@pytest.fixture(scope="module")
-def flat() -> Equilibrium:
-    rod = Rod.straight(1.0, 10, FLAT)
-    return solved(rod, Force((1, 0, 0)), space="planar", eigenvalue=True)
+pytestmark = pytest.mark.usefixtures("close_figures")
 
 
 @pytest.fixture(scope="module")
@@ -57,27 +39,31 @@ def steps(ax: Any) -> dict[str, Any]:
 # Along the rod ------------------------------------------------------------------------------------
 
 
-def test_strains_are_those_beyond_rest(one: Equilibrium) -> None:
-    upper, lower = one.plot(what="strains")
+def test_strains_are_those_beyond_rest(cantilever: Equilibrium) -> None:
+    upper, lower = cantilever.plot(what="strains")
     for i, name in enumerate(("K1", "K2", "K3")):
         x, y = lines(upper)[name].get_data()
-        np.testing.assert_array_equal(x, one.s)
-        np.testing.assert_allclose(y, (one.K - [0.3, 1.0, 0.5])[:, i], atol=1e-14)
+        np.testing.assert_array_equal(x, cantilever.s)
+        np.testing.assert_allclose(y, (cantilever.K - [0.3, 1.0, 0.5])[:, i], atol=1e-14)
     for i, name in enumerate(("Γ1", "Γ2", "Γ3")):
         values, edges, baseline = steps(lower)[name].get_data()
-        np.testing.assert_allclose(values, (one.Gamma - [0, 0, 1])[:, i], atol=1e-15)
-        np.testing.assert_array_equal(edges, one.s)
+        np.testing.assert_allclose(values, (cantilever.Gamma - [0, 0, 1])[:, i], atol=1e-15)
+        np.testing.assert_array_equal(edges, cantilever.s)
         assert baseline is None
     assert "K - K0 [1/m]" in upper.get_ylabel()
     assert "Γ - e3 [1]" in lower.get_ylabel()
     assert (upper.get_xlabel(), lower.get_xlabel()) == ("", "arc length s [m]")
 
 
-def test_forces_are_those_in_space(one: Equilibrium) -> None:
-    upper, lower = one.plot(what="forces")
+def test_forces_are_those_in_space(cantilever: Equilibrium) -> None:
+    upper, lower = cantilever.plot(what="forces")
     for i, axis in enumerate("xyz"):
-        np.testing.assert_array_equal(steps(upper)[f"n_{axis}"].get_data()[0], one.force[:, i])
-        np.testing.assert_array_equal(lines(lower)[f"m_{axis}"].get_ydata(), one.moment[:, i])
+        np.testing.assert_array_equal(
+            steps(upper)[f"n_{axis}"].get_data()[0], cantilever.force[:, i]
+        )
+        np.testing.assert_array_equal(
+            lines(lower)[f"m_{axis}"].get_ydata(), cantilever.moment[:, i]
+        )
     assert "n [N]" in upper.get_ylabel()
     assert "m [N m]" in lower.get_ylabel()
     assert {text.get_text() for text in lower.get_legend().texts} == {"m_x", "m_y", "m_z"}
@@ -113,46 +99,46 @@ def test_markers_show_the_vertices_where_there_are_few() -> None:
         assert lines(lower)["m_x"].get_marker() == marker
 
 
-def test_given_axes_are_used(one: Equilibrium) -> None:
+def test_given_axes_are_used(cantilever: Equilibrium) -> None:
     _, given = plt.subplots(2)
     figures = plt.get_fignums()
-    found = one.plot(given, what="strains", linewidth=3)
+    found = cantilever.plot(given, what="strains", linewidth=3)
     assert list(found) == list(given)
     assert plt.get_fignums() == figures
     assert lines(given[0])["K1"].get_linewidth() == 3
     assert steps(given[1])["Γ1"].get_linewidth() == 3
     with pytest.raises(ValueError, match="ax: expected 2 axes for force, moment, got 1"):
-        one.plot(given[0], what="forces")
+        cantilever.plot(given[0], what="forces")
 
 
 # Colours ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("of", ["moment", "material_moment.2", "s"])
-def test_vertices_colour_their_half_edges(one: Equilibrium, of: str) -> None:
-    ax = one.plot(colour_by=of, directors=False)
+def test_vertices_colour_their_half_edges(cantilever: Equilibrium, of: str) -> None:
+    ax = cantilever.plot(colour_by=of, directors=False)
     (found,) = ax.collections
     expected = {
-        "moment": np.linalg.norm(one.moment, axis=1),
-        "material_moment.2": one.material_moment[:, 1],
-        "s": one.s,
+        "moment": np.linalg.norm(cantilever.moment, axis=1),
+        "material_moment.2": cantilever.material_moment[:, 1],
+        "s": cantilever.s,
     }
     np.testing.assert_allclose(found.get_array(), expected[of], rtol=1e-14)
     pieces = np.array(found._segments3d)
-    np.testing.assert_allclose(pieces[:, 1], one.positions, atol=1e-15)
+    np.testing.assert_allclose(pieces[:, 1], cantilever.positions, atol=1e-15)
     np.testing.assert_allclose(pieces[1:, 0], pieces[:-1, 2], atol=1e-15)
-    middle = (one.positions[1:] + one.positions[:-1]) / 2
+    middle = (cantilever.positions[1:] + cantilever.positions[:-1]) / 2
     np.testing.assert_allclose(pieces[1:, 0], middle, atol=1e-15)
     limits = np.array([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
     assert (np.ptp(limits, axis=1) < 1.2).all()
 
 
-def test_edges_are_coloured_whole(flat: Equilibrium) -> None:
-    ax = flat.plot(colour_by="force.x")
+def test_edges_are_coloured_whole(planar_cantilever: Equilibrium) -> None:
+    ax = planar_cantilever.plot(colour_by="force.x")
     (found,) = (c for c in ax.collections if isinstance(c, LineCollection))
-    np.testing.assert_array_equal(found.get_array(), flat.force[:, 0])
+    np.testing.assert_array_equal(found.get_array(), planar_cantilever.force[:, 0])
     pieces = np.array(found.get_segments())
-    local = flat.positions[:, [2, 0]]
+    local = planar_cantilever.positions[:, [2, 0]]
     np.testing.assert_allclose(pieces, np.stack([local[:-1], local[1:]], axis=1), atol=1e-15)
     assert ax.get_aspect() == 1
     low, high = np.transpose([ax.get_xlim(), ax.get_ylim()])
@@ -175,17 +161,17 @@ def titles(figure: Any) -> list[str]:
     return [ax.get_title() for ax in figure.axes if ax.get_title()]
 
 
-def test_the_overview_has_all_that_is_known(one: Equilibrium) -> None:
-    figure = one.overview()
+def test_the_overview_has_all_that_is_known(cantilever: Equilibrium) -> None:
+    figure = cantilever.overview()
     labels = [ax.get_ylabel() for ax in figure.axes]
     for symbol in ("K - K0 [1/m]", "Γ - e3 [1]", "n [N]", "m [N m]", "residual [N m]"):
         assert sum(label.endswith(symbol) for label in labels) == 1, symbol
     assert any("lowest mode" in title for title in titles(figure))
     head = figure.get_suptitle()
-    for fact in ("converged", "index 0", f"energy {one.energy:.6g} J", "ms", "cosserat"):
+    for fact in ("converged", "index 0", f"energy {cantilever.energy:.6g} J", "ms", "cosserat"):
         assert fact in head
     record = next(ax for ax in figure.axes if ax.get_xlabel() == "iteration")
-    np.testing.assert_array_equal(record.lines[0].get_ydata(), one.record["residual"])
+    np.testing.assert_array_equal(record.lines[0].get_ydata(), cantilever.record["residual"])
 
 
 def test_the_overview_leaves_out_what_there_is_not(net: Equilibrium) -> None:
@@ -217,16 +203,16 @@ def test_a_rod_that_is_at_rest_has_an_overview() -> None:
         ({"colour_by": "moment", "color": "red"}, "color: give either it or colour_by"),
     ],
 )
-def test_bad_arguments(one: Equilibrium, arguments: dict[str, Any], message: str) -> None:
+def test_bad_arguments(cantilever: Equilibrium, arguments: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        one.plot(**arguments)
+        cantilever.plot(**arguments)
     assert not plt.get_fignums()
 
 
 @pytest.mark.parametrize("draw", [plot.draw, plot.overview])
 def test_without_matplotlib_the_remedy_is_told(
-    one: Equilibrium, draw: Any, monkeypatch: pytest.MonkeyPatch
+    cantilever: Equilibrium, draw: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     uninstall(monkeypatch, "matplotlib")
     with pytest.raises(ImportError, match=r"pip install 'pyrod\[plot\]'"):
-        draw(one)
+        draw(cantilever)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -14,24 +12,7 @@ from pyrod import Clamp, Force, Hinge, Joint, Rod, Scene, Section, Slider
 from pyrod._displaced import mode_displacements
 
 Equilibrium = pyrod.Equilibrium
-
-
-@pytest.fixture(autouse=True)
-def close_figures() -> Iterator[None]:
-    yield
-    plt.close("all")
-
-
-@pytest.fixture(scope="module")
-def one() -> Equilibrium:
-    rod = Rod.precurved(1.0, 10, SOFT, (0.3, 1.0, 0.5))
-    return solved(rod, Force((1, 3, -5)), eigenvalue=True)
-
-
-@pytest.fixture(scope="module")
-def flat() -> Equilibrium:
-    rod = Rod.straight(1.0, 10, FLAT)
-    return solved(rod, Force((1, 0, 0)), space="planar", eigenvalue=True)
+pytestmark = pytest.mark.usefixtures("close_figures")
 
 
 @pytest.fixture(scope="module")
@@ -45,21 +26,21 @@ def net() -> Equilibrium:
     return pyrod.solve(scene, eigenvalue=True)
 
 
-def test_the_mode_is_drawn_on_both_sides(one: Equilibrium) -> None:
-    ax = one.plot(what="stability")
+def test_the_mode_is_drawn_on_both_sides(cantilever: Equilibrium) -> None:
+    ax = cantilever.plot(what="stability")
     shape, there, back = (np.transpose(line.get_data_3d()) for line in ax.lines)
-    np.testing.assert_array_equal(shape, one.positions)
+    np.testing.assert_array_equal(shape, cantilever.positions)
     np.testing.assert_allclose(there - shape, shape - back, atol=1e-15)
     size = np.linalg.norm(there - shape, axis=1).max()
-    assert size == pytest.approx(0.1 * np.ptp(one.positions, axis=0).max(), rel=1e-12)
-    assert f"index 0, eigenvalue {one.lowest_eigenvalue:.4g} N m" in ax.get_title()
+    assert size == pytest.approx(0.1 * np.ptp(cantilever.positions, axis=0).max(), rel=1e-12)
+    assert f"index 0, eigenvalue {cantilever.lowest_eigenvalue:.4g} N m" in ax.get_title()
 
 
-def test_the_mode_of_a_planar_scene_is_drawn_in_its_plane(flat: Equilibrium) -> None:
+def test_the_mode_of_a_planar_scene_is_drawn_in_its_plane(planar_cantilever: Equilibrium) -> None:
     ax = plt.figure().add_subplot()
-    assert flat.plot(ax, what="stability") is ax
+    assert planar_cantilever.plot(ax, what="stability") is ax
     shape, there, _ = (line.get_xydata() for line in ax.lines)
-    np.testing.assert_allclose(shape, flat.positions[:, [2, 0]], atol=1e-15)
+    np.testing.assert_allclose(shape, planar_cantilever.positions[:, [2, 0]], atol=1e-15)
     assert (np.abs(there - shape)[1:] > 1e-4).any(axis=1).all()
 
 
@@ -75,7 +56,7 @@ def test_a_mode_needs_to_be_asked_for() -> None:
     assert not plt.get_fignums()
 
 
-def test_displacements_are_the_derivative_of_the_shape(one: Equilibrium) -> None:
+def test_displacements_are_the_derivative_of_the_shape(cantilever: Equilibrium) -> None:
     """Of an inextensible rod turned by a small amount along the mode, and put together again."""
     rod = Rod.precurved(1.0, 10, Section(1, 1.3, 0.8), (0.3, 1.0, 0.5))
     result = solved(rod, Force((1, 3, -5)), eigenvalue=True)
