@@ -9,7 +9,7 @@ import numpy as np
 
 from pyrod._along import Ends, Sections
 from pyrod._document.problems import Here
-from pyrod._document.schema import MOST_EDGES, ROD
+from pyrod._document.schema import MOST_EDGES, ROD, Jump
 from pyrod._grading import natural_edges
 from pyrod._immutable import Array, frozen
 from pyrod._law import NO_JUMPS, Jumps, Made, Material, Table
@@ -59,13 +59,17 @@ def made(values: dict[str, Any], sections: dict[str, Section]) -> Rod:
         rod = _table(values)
     else:
         rod = _natural(values, section)
-    frame = placed_frame(values.get("frame"), values.get("tangent"), values.get("normal"))
-    if "positions" not in values and (frame is not None or "position" in values):
-        rod = rod.placed(values.get("position"), frame)
+    if "positions" not in values:
+        rod = _placed(rod, values)
     if "grid" in values:
         breaks = None if rod._breaks is None else tuple(values.get("vertices", ()))
         return _on_grid(rod, values["grid"], breaks)
     return rod.with_vertices(_on(rod, values["vertices"])) if "vertices" in values else rod
+
+
+def _placed(rod: Rod, values: dict[str, Any]) -> Rod:
+    frame = placed_frame(values.get("frame"), values.get("tangent"), values.get("normal"))
+    return rod.placed(values.get("position"), frame)
 
 
 def _sections(names: Any, sections: dict[str, Section]) -> Sections:
@@ -201,7 +205,6 @@ def _by_arrays(table: Table, rod: Rod) -> dict[str, Any]:
     at, sides = NO_JUMPS if rod._made is None else rod._made.jumps
     if at:
         values["jumps"] = [
-            {"vertex": j, "bending": side[[0, 2]], "K0": side[[1, 3]]}
-            for j, side in zip(at, sides, strict=True)
+            Jump(j, side[[0, 2]], side[[1, 3]]) for j, side in zip(at, sides, strict=True)
         ]
     return values

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import get_args
+from typing import NamedTuple, get_args
 
 from pyrod._core import Options
 from pyrod._document import units as u
@@ -20,6 +20,7 @@ from pyrod._document.types import (
     vector,
     whole,
 )
+from pyrod._immutable import Array
 from pyrod.joints import Joint
 from pyrod.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
 from pyrod.outline import Outline
@@ -73,14 +74,21 @@ SECTION = Kind(
     },
 )
 
-JUMP = Kind(
+
+class Jump(NamedTuple):
+    """What jumps at an inner vertex of a rod, just before and just behind it."""
+
+    vertex: int
+    bending: Array  #: (2, 3)
+    K0: Array  #: (2, 3)
+
+
+JUMP = Kind.of(
     "jump",
-    dict,
-    {
-        "vertex": Key(whole(1), REQUIRED),
-        "bending": Key(Numbers(u.BENDING_STIFFNESS, ((2, 3),)), REQUIRED),
-        "K0": Key(Numbers(u.CURVATURE, ((2, 3),)), REQUIRED),
-    },
+    Jump,
+    vertex=whole(1),
+    bending=Numbers(u.BENDING_STIFFNESS, ((2, 3),)),
+    K0=Numbers(u.CURVATURE, ((2, 3),)),
 )
 ROD = Kind(
     "rod",
@@ -162,7 +170,7 @@ LOADS = OneOf(
 JOINT = Kind.of(
     "joint",
     Joint,
-    points=Listed(_AT),
+    points=Listed(_AT, 2),
     kind=Choice(("rigid", "hinge", "ball")),
     turns=whole(),
     aligned=FLAG,
@@ -193,7 +201,7 @@ SCENE = Kind(
         "space": Key(Choice(get_args(Space)), "spatial"),
         "materials": Key(Named(MATERIAL)),
         "sections": Key(Named(SECTION)),
-        "rods": Key(Listed(ROD), REQUIRED),
+        "rods": Key(Listed(ROD, 1), REQUIRED),
         "supports": Key(Listed(SUPPORTS)),
         "loads": Key(Listed(LOADS)),
         "joints": Key(Listed(JOINT)),

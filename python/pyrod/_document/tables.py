@@ -102,6 +102,7 @@ class Listed:
     """A list of values of one type."""
 
     type: Type
+    least: int = 0
 
     @property
     def text(self) -> str:
@@ -112,6 +113,8 @@ class Listed:
         """One by one."""
         if not isinstance(value, list):
             return here.wrong(f"expected a {self.text}, got {shown(value)}")
+        if len(value) < self.least:
+            return here.wrong(f"expected at least {self.least}, got {len(value)}")
         return [self.type.read(one, here / number) for number, one in enumerate(value)]
 
     def write(self, values: Any) -> list[Any]:

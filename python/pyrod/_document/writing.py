@@ -6,7 +6,7 @@ from typing import Any
 
 from pyrod._document.rods import written
 from pyrod._document.schema import SCENE, SHAPES, STIFFNESSES
-from pyrod.loads import sampled_load
+from pyrod.loads import any_function, sampled_load
 from pyrod.scene import Scene
 from pyrod.section import Section
 
@@ -24,7 +24,9 @@ def write(scene: Scene) -> dict[str, Any]:
         del out["sections"]
     if scene.space != keys["space"].default:
         out["space"] = scene.space
-    loads = [sampled_load(load, scene.rods) for load in scene.loads]
+    loads = [
+        sampled_load(load, scene.rods) if any_function((load,)) else load for load in scene.loads
+    ]
     for name, parts in (("supports", scene.supports), ("loads", loads), ("joints", scene.joints)):
         if parts:
             out[name] = keys[name].type.write(parts)
