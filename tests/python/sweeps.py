@@ -47,8 +47,8 @@ def logged(load: float, log: str) -> Scene:
 
 
 def resumable(folder: Path) -> pyrod.Sweep:
-    """A sweep that takes a second, with its store and its log in a folder."""
-    parameters = {"load": np.linspace(0.1, 14.0, 140), "log": [str(folder / "log")]}
+    """A sweep that takes a while, with its store and its log in a folder."""
+    parameters = {"load": np.linspace(0.1, 6.0, 60), "log": [str(folder / "log")]}
     return pyrod.sweep(logged, parameters, store=folder / "store", progress=False)
 
 

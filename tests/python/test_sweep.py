@@ -16,7 +16,7 @@ from support import ROUND, same_sweep
 from sweeps import GRID, cantilever, shape
 
 import pyrod
-from pyrod import Clamp, Force, Material, Options, Rod, Scene, Section, solve
+from pyrod import Clamp, Force, Material, Options, Rod, Scene, Section, Slider, solve
 from pyrod import sweep as swept
 
 
@@ -180,25 +180,29 @@ def odd(kind: str) -> Any:
         return Scene(Rod.straight(1.0, 8, ROUND))
     if kind == "interrupted":
         raise KeyboardInterrupt
+    if kind == "drifts":
+        rail = Slider((0, 0, 1), at="start", clamped=True)
+        return Scene(Rod.straight(1.0, 8, ROUND), rail, Force((0, 0, 1), follower=True))
     force = (20.0 if kind == "hard" else 1e-3, 0, 0)
     return Scene(Rod.straight(1.0, 24, ROUND), Clamp(), Force(force))
 
 
 def test_cases_that_fail_are_told_and_do_not_end_the_sweep() -> None:
-    kinds = ["fine", "no scene", "refused", "hard", "fine"]
+    kinds = ["fine", "no scene", "refused", "hard", "fine", "drifts"]
     done = sweep(odd, {"kind": kinds}, options=Options(max_iterations=3))
     errors = list(done["error"])
     assert errors[0] == errors[4] == ""
     assert errors[1] == "TypeError: scene: the function must return a Scene, got 4"
     assert errors[2].startswith("ValueError: supports: nothing holds the rod")
     assert re.match("NotConverged: out_of_iterations after 3 iterations: ", errors[3])
-    assert np.isnan(done["energy"][1:4]).all()
+    assert errors[5].startswith("ValueError: supports: nothing holds the rods against the force")
+    assert np.isnan(done["energy"][[1, 2, 3, 5]]).all()
     assert np.isnan(done["tip"][1:4]).all()
     assert done["energy"][0] == done["energy"][4] > 0
-    assert [f.case for f in done.failures] == [1, 2, 3]
+    assert [f.case for f in done.failures] == [1, 2, 3, 5]
     assert done.failures[1].parameters == {"kind": "refused"}
     assert done.failures[1].error == errors[2]
-    assert repr(done).startswith("Sweep(5 cases of 5 kind, 3 failed, ")
+    assert repr(done).startswith("Sweep(6 cases of 6 kind, 4 failed, ")
 
 
 def test_all_may_fail() -> None:

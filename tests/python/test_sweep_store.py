@@ -49,6 +49,14 @@ def test_what_is_stored_is_what_was_found(path: Path, monkeypatch: pytest.Monkey
     same_sweep(resumed(path, monkeypatch), first, but=())
 
 
+def test_the_bar_begins_where_the_store_ends(
+    path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    stored(path)
+    stored(path, progress=True)
+    assert "| 30/30 [" in capsys.readouterr().err
+
+
 def numbers(result: pyrod.Equilibrium) -> dict[str, Any]:
     return {
         "nan": np.nan,
@@ -84,14 +92,16 @@ def test_a_killed_process_loses_only_what_it_was_at(tmp_path: Path, cut: int) ->
     content = path.read_bytes()
     path.write_bytes(content[: len(content) - cut])
     standing = {json.loads(line)["case"] for line in path.read_bytes().splitlines()[1:-1]}
-    assert 19 - bool(cut) <= len(standing) + 1 < 140
+    assert 19 - bool(cut) <= len(standing) + 1 < 60
     done = resumable(tmp_path)
     solved = log.read_text().split()
     counts = [solved.count(str(load)) for load in done["load"][:, 0]]
     assert min(counts) == 1
     assert max(counts) <= 2
     assert {counts[case] for case in standing} == {1}
-    assert len(solved) <= 140 + 2
+    assert len(solved) <= 60 + 2
+    same_sweep(resumable(tmp_path), done, but=())
+    assert log.read_text().split() == solved
     fresh = sweep(cantilever, {"load": list(done["load"][:, 0]), "angle": [1.0]}, progress=False)
     np.testing.assert_array_equal(done["tip"][:, 0], fresh["tip"][:, 0])
 
@@ -154,7 +164,7 @@ def test_lines_of_neighbours_are_done_whole(path: Path) -> None:
         ({"tol": 1e-4}, "options"),
         ({"stable": False}, "options"),
         ({"model": "extensible"}, "model"),
-        ({"start": "previous"}, "follow"),
+        ({"start": "previous"}, "start"),
     ],
 )
 def test_the_store_of_another_sweep_is_refused(path: Path, other: Any, named: str) -> None:

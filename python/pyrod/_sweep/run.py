@@ -86,11 +86,11 @@ def sweep(
     cases = cases_of(parameters)
     build = builder_of(scene, cases.arguments(0))
     how = How(options or Options(), stable, eigenvalue, checked_tolerance(tol))
-    work = Work(build, measure or summary, how, model, start is not None, keep_results)
-    kept = None if store is None else Store(store, identity(cases, work))
+    work = Work(build, measure or summary, how, model, keep_results)
+    kept = None if store is None else Store(store, identity(cases, work, start))
     records = _standing(kept, retry_failed)
     failed = sum(bool(record.error) for record in records.values())
-    lines = _lines(cases, records, work.follow)
+    lines = _lines(cases, records, follow=start is not None)
     with (
         shown(progress, len(cases.rows), "cases", len(records)) as show,
         closing(done(work, lines, executor)) as chunks,

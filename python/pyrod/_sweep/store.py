@@ -74,7 +74,7 @@ class Store:
             file.write(b"".join(lines))
 
 
-def identity(cases: Cases, work: Work) -> dict[str, Any]:
+def identity(cases: Cases, work: Work, start: str | None) -> dict[str, Any]:
     """What tells a sweep from others: functions by their names, all else by what it holds."""
     return {
         "cases": len(cases.rows),
@@ -83,7 +83,7 @@ def identity(cases: Cases, work: Work) -> dict[str, Any]:
         "measure": _named(work.measure),
         "options": repr(work.how),
         "model": work.model,
-        "follow": work.follow,
+        "start": start,
     }
 
 

@@ -38,11 +38,10 @@ class Work:
     measure: Measure
     how: How
     model: Literal["auto"] | Model | None
-    follow: bool  #: each case starts from the one before
     keep: bool  #: the equilibria, too
 
     def __call__(self, lines: Sequence[Sequence[Numbered]]) -> list[Record]:
-        """What comes of some lines of cases."""
+        """What comes of lines of cases, which start from one another."""
         return [record for line in lines for record in self._line(line)]
 
     def _line(self, line: Sequence[Numbered]) -> list[Record]:
@@ -51,8 +50,7 @@ class Work:
         for case, arguments in line:
             record, result = self._case(case, arguments, before)
             records.append(record)
-            if self.follow:
-                before = result or before
+            before = result or before
         return records
 
     def _case(
