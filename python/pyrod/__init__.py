@@ -10,6 +10,7 @@ from importlib.metadata import version as _version
 from pyrod import curve, rotation
 from pyrod._choice import Choice, smallest_model
 from pyrod._core import Options
+from pyrod._critical import Critical, critical_load
 from pyrod._effects import Effect, effect, out_of_plane_index
 from pyrod._files import load, save
 from pyrod._many import solve_many
@@ -41,6 +42,7 @@ __all__ = [
     "AccuracyWarning",
     "Choice",
     "Clamp",
+    "Critical",
     "DistributedForce",
     "DistributedMoment",
     "Effect",
@@ -67,6 +69,7 @@ __all__ = [
     "StrainWarning",
     "Sweep",
     "UnstableWarning",
+    "critical_load",
     "curve",
     "effect",
     "get_cmake_dir",

@@ -208,14 +208,15 @@ def _changes(before: Equilibrium, after: Equilibrium) -> dict[str, float]:
         force, moment = max(force, _largest(rod.vertex_force)), max(moment, _largest(rod.moment))
     return {
         "positions": max(_largest(b.positions - a.positions) for a, b in pairs) / length,
-        "frames": max(_turned(a, b) for a, b in pairs),
+        "frames": max(largest_turn(a, b) for a, b in pairs),
         "forces": max(_largest(b.vertex_force - a.vertex_force) for a, b in pairs) / force,
         "moments": max(_largest(b.moment - a.moment) for a, b in pairs) / moment,
         "energy": abs(after.energy - before.energy) / max(energies),
     }
 
 
-def _turned(a: RodEquilibrium, b: RodEquilibrium) -> float:
+def largest_turn(a: RodEquilibrium, b: RodEquilibrium) -> float:
+    """The largest angle between the frames of two shapes at the same vertex [rad]."""
     turn = multiply(conjugate(a.vertex_frames), b.vertex_frames)
     return float(2 * np.arctan2(np.linalg.norm(turn[:, 1:], axis=1), np.abs(turn[:, 0])).max())
 

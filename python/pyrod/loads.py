@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
@@ -185,6 +185,12 @@ class _Steps:
     def __call__(self, s: float) -> Array:
         edge = int(np.searchsorted(self.ends, s, "right")) - 1
         return self.values[min(max(edge, 0), len(self.values) - 1)]
+
+
+def scaled_load(load: Load, factor: float) -> Load:
+    """The same load, so many times as large; one that has been `sampled_load`."""
+    name = fields(load)[0].name
+    return replace(load, **{name: factor * getattr(load, name)})
 
 
 def _with_values(load: Load, rods: tuple[Rod, ...], new: Callable[[Any, str], Any]) -> Load:

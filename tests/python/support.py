@@ -100,6 +100,17 @@ def pin(at: Any, along: Any = None) -> pyrod.Pivot:
     return pyrod.Pivot(Y, at=at, along=along)
 
 
+COLUMNS = {
+    "clamped-free": [pyrod.Clamp()],
+    "pinned-pinned": [pin("start"), pin("end", Z)],
+    "clamped-pinned": [pyrod.Clamp(), pin("end", Z)],
+    "clamped-clamped": [pyrod.Clamp(), pyrod.Slider(Z, clamped=True)],
+    "clamped-guided": [pyrod.Clamp(), pyrod.Slider(normal=Y, clamped=True)],
+}
+EULER = {row["ends"]: float(row["P"]) for row in table("S5_euler")["rows"]}
+"""Columns along z by their ends, and their critical loads."""
+
+
 def differences(a: Any, b: Any) -> float:
     """Largest difference relative to the largest entry of b."""
     a, b = np.asarray(a), np.asarray(b)

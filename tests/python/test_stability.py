@@ -12,20 +12,11 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.optimize import brentq
-from support import FLAT, SPACES, X, Y, Z, about_y, extrapolated, pin, table
+from support import COLUMNS, EULER, FLAT, SPACES, X, Z, about_y, extrapolated, table
 
 import pyrod
 from pyrod import Clamp, Force, Rod, Scene, Section, Slider, solve
 from pyrod.rotation import exp
-
-COLUMNS = {
-    "clamped-free": [Clamp()],
-    "pinned-pinned": [pin("start"), pin("end", Z)],
-    "clamped-pinned": [Clamp(), pin("end", Z)],
-    "clamped-clamped": [Clamp(), Slider(Z, clamped=True)],
-    "clamped-guided": [Clamp(), Slider(normal=Y, clamped=True)],
-}
-EULER = {row["ends"]: float(row["P"]) for row in table("S5_euler")["rows"]}
 
 
 def saddle(scene: Scene, start: Any = None) -> pyrod.Equilibrium:

@@ -167,9 +167,8 @@ def test_what_has_not_begun_is_called_off_by_ctrl_c() -> None:
     def press(done: int, total: int) -> None:
         raise KeyboardInterrupt
 
-    with Watched(3) as threads:
-        with pytest.raises(KeyboardInterrupt):
-            sweep(slow, {"seconds": [0.01] + [0.2] * 20}, executor=threads, progress=press)
+    with Watched(3) as threads, pytest.raises(KeyboardInterrupt):
+        sweep(slow, {"seconds": [0.01] + [0.2] * 20}, executor=threads, progress=press)
     assert any(future.cancelled() for future in threads.futures)
 
 
