@@ -9,14 +9,14 @@ import sys
 from pathlib import Path
 
 from gallery import frenet, knots, orders
-from gallery.style import save
+from gallery.style import drawn, save
 
 PICTURES = {
     "holonomy": knots.holonomy,
     "inflection": frenet.inflection,
     "torsion": frenet.torsion,
     "measures": frenet.measures,
-    "link": knots.link,
+    "link": lambda: drawn("knot"),
     "reconstruction": orders.reconstruction,
     "convergence": orders.convergence,
 }

@@ -1,6 +1,6 @@
-"""A gallery of equilibria: supports, joints, many rods, and more than one shape for one scene.
+"""Pictures of equilibria for the pages: each is drawn by the program of its name in ``plot``.
 
-Usage: scenes.py [FOLDER [NAME ...]]: writes a picture for each idea, or those that are named.
+Usage: scenes.py [FOLDER [NAME ...]]: writes the pictures, or those that are named.
 """
 
 from __future__ import annotations
@@ -8,24 +8,21 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from gallery import held, structures
-from gallery.style import save
+from gallery.style import drawn, save
 
 PICTURES = {
-    "elastica": held.elastica,
-    "twist": held.twist,
-    "ring": held.ring,
-    "dome": structures.dome,
-    "frame": structures.frame,
-    "arch": structures.arch,
+    "scenes": ("elastica", "twist", "ring", "dome", "frame", "arch"),
+    "howto": ("catheter", "cable", "column", "spring", "dna"),
 }
 
 
 def main() -> None:
-    folder = Path(sys.argv[1] if len(sys.argv) > 1 else "docs/img/scenes")
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in sys.argv[2:] or PICTURES:
-        save(PICTURES[name](), folder / f"{name}.png")
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else "docs/img")
+    for folder, names in PICTURES.items():
+        (root / folder).mkdir(parents=True, exist_ok=True)
+        for name in names:
+            if name in sys.argv[2:] or len(sys.argv) < 3:
+                save(drawn(name), root / folder / f"{name}.png")
 
 
 if __name__ == "__main__":

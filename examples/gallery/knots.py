@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from gallery.known import ONCE, Known, torus
-from gallery.style import BLUE, GREY, ORANGE, RED, fit, plt, ribbon, space
+from gallery.style import BLUE, GREY, RED, fit, plt, ribbon, space
 from pyrod.curve import Polyline
 from pyrod.rotation import conjugate, multiply, rotate, to_matrix
 
@@ -69,21 +69,4 @@ def holonomy() -> Figure:
     fit(ax, p.positions, zoom=1.2)
     ax.set_title("Bishop ribbon of a trefoil: it does not twist, and it does not close")
     draw_seam(figure.add_subplot(right), p, q)
-    return figure
-
-
-def link() -> Figure:
-    p = knot()
-    figure = plt.figure(figsize=(10, 3.9))
-    for k, wanted in enumerate((0, 1, 3)):
-        framed = p.closed_ribbon(wanted)
-        ax = space(figure, 1, 3, k + 1, elev=62, azim=-12)
-        around = np.r_[np.arange(EDGES), 0]
-        a1 = rotate(framed.vertex_frames, np.array([1.0, 0.0, 0.0]))
-        ribbon(ax, p.positions[around], a1[around], WIDTH, BLUE, ORANGE)
-        fit(ax, p.positions, zoom=1.2)
-        ax.set_title(f"Lk = {framed.link()}", fontsize=12)
-        sum_of = f"Tw + Wr = {framed.twist:.4f} + {p.writhe():.4f}".replace("-", "−")
-        ax.text2D(0.5, -0.03, sum_of, ha="center", transform=ax.transAxes, color=GREY)
-    figure.suptitle("The same knot with three ribbons: link = twist + writhe")
     return figure

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from io import BytesIO
 from pathlib import Path
+from runpy import run_path
 from typing import Any
 
 import matplotlib
@@ -15,6 +16,9 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from PIL import Image  # which matplotlib brings with it
+
+from pyrod import Equilibrium
+from pyrod.rotation import rotate
 
 Array = np.ndarray
 # Okabe and Ito
@@ -54,6 +58,8 @@ def fit(ax: Any, points: Array, zoom: float = 1.3) -> None:
     """Equal scales, and the points as large as they fit."""
     low, high = points.min(axis=0), points.max(axis=0)
     size = high - low
+    flat = size < 1e-3 * size.max()
+    low, high = low - flat * size.max() / 2000, high + flat * size.max() / 2000
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     ax.set_box_aspect(np.maximum(size, 1e-9), zoom=zoom)
 
@@ -88,6 +94,15 @@ def ribbon(
     ax.add_collection3d(faces)
 
 
+def draw_ribbon(ax: Any, result: Equilibrium, width: float = 0.05, zoom: float = 1.3) -> None:
+    """Turned so that the line between the clamps lies flat."""
+    r = result.positions[:, [2, 0, 1]]
+    across = rotate(result.vertex_frames, np.array([1.0, 0.0, 0.0]))[:, [2, 0, 1]]
+    ribbon(ax, r, across, width)
+    fit(ax, np.vstack([r + width / 2 * across, r - width / 2 * across]), zoom=zoom)
+    ax.collections[-1].set_clip_on(False)
+
+
 def order_line(ax: Any, n: Array, at: float, p: int, label_at: int = -1) -> None:
     """A dashed line that falls like n^-p from the value ``at``."""
     n = np.asarray(n, dtype=float)
@@ -97,6 +112,12 @@ def order_line(ax: Any, n: Array, at: float, p: int, label_at: int = -1) -> None
         f"$n^{{-{p}}}$", (n[label_at], y[label_at]), (3, 2), textcoords="offset points",
         color=GREY, fontsize=8,
     )  # fmt: skip
+
+
+def drawn(script: str) -> Figure:
+    """The picture of a program of the folder ``plot``."""
+    run_path(str(Path(__file__).parents[1] / "plot" / f"plot_{script}.py"))
+    return plt.gcf()
 
 
 def save(figure: Figure, path: Path) -> None:
