@@ -29,7 +29,7 @@ def blocks(document: str) -> list[str]:
 
 
 BLOCKS = blocks("README.md")
-PAGES = [str(p.relative_to(ROOT)) for p in sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [str(p.relative_to(ROOT)) for p in sorted((ROOT / "docs").rglob("*.md"))]
 
 
 def python(*arguments: str, **more: str) -> str:
@@ -266,8 +266,11 @@ def test_the_readme_runs_as_printed(
 
 
 @pytest.mark.parametrize("page", [p for p in PAGES if blocks(p)])
-def test_the_code_of_a_page_runs_in_order(page: str) -> None:
+def test_the_code_of_a_page_runs_in_order(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """As a reader would type it: each block knows the names of those before it."""
+    monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {"__name__": "__main__"}
     for block in blocks(page):
         exec(compile(block, page, "exec"), names)
