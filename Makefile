@@ -50,6 +50,10 @@ coverage: build/system-packages $(VENV)/package $(VENV)/test-tools ## tell which
 	@$(VENV)/bin/gcovr --filter cpp/include --print-summary build/coverage
 	@$(PY) -m pytest -q --cov --cov-report=term:skip-covered
 
+docs: $(VENV)/package $(VENV)/test-tools ## build the documentation site into build/docs
+	@$(PY) -m sphinx -W --keep-going -q -b html docs build/docs
+	@echo "Open build/docs/index.html"
+
 CXX_FILES = $(shell find cpp tests/cpp benchmarks examples -name '*.[ch]pp')
 
 lint: $(VENV)/dev-tools ## check style and types
@@ -67,7 +71,7 @@ stubs: $(VENV)/package $(VENV)/dev-tools ## regenerate the type stubs in python/
 	@$(PY) -m pybind11_stubgen --exit-code --output-dir python pyrod._core
 
 clean: ## remove everything these targets made
-	rm -rf build dist $(VENV) .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf build dist docs/gallery $(VENV) .hypothesis .mypy_cache .pytest_cache .ruff_cache
 
 # Stamps ------------------------------------------------------------------------------------------
 
