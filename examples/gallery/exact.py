@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from pyrod.reference import Case, folder, load
 
-from pyrod.reference import Case, load
-
-REFERENCE = Path(__file__).parents[2] / "tests" / "reference"
+REFERENCE = folder()
 
 
 def case(name: str) -> Case:

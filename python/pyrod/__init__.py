@@ -12,6 +12,7 @@ from pyrod._choice import Choice, smallest_model
 from pyrod._core import Options
 from pyrod._critical import Critical, critical_load
 from pyrod._effects import Effect, effect, out_of_plane_index
+from pyrod._energy import Energy
 from pyrod._files import load, save
 from pyrod._many import solve_many
 from pyrod._paths import get_cmake_dir, get_include
@@ -19,7 +20,7 @@ from pyrod._planarity import Planarity, is_planar
 from pyrod._solve import solve
 from pyrod._sweep import Sweep, sweep
 from pyrod.accuracy import Accuracy
-from pyrod.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.equilibrium import Equilibrium, Reaction, RodEquilibrium
 from pyrod.errors import (
     AccuracyWarning,
     NotConverged,
@@ -46,6 +47,7 @@ __all__ = [
     "DistributedForce",
     "DistributedMoment",
     "Effect",
+    "Energy",
     "Equilibrium",
     "Force",
     "Gravity",
@@ -58,6 +60,7 @@ __all__ = [
     "Outline",
     "Pivot",
     "Planarity",
+    "Reaction",
     "Rod",
     "RodEquilibrium",
     "Scene",
