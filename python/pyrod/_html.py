@@ -40,7 +40,6 @@ def interactive(result: Equilibrium, colour_by: str, sides: int) -> Any:
     """The plotly figure: the solid, the centrelines, and a list of quantities to colour by."""
     names = [name for name in measures() if name.partition(".")[0] not in LEFT_OUT]
     if colour_by not in names:
-        measure(result, colour_by)  # refuses what is no quantity
         names = [*names, colour_by]
     mesh, objects = swept(result, sides), need("plotly.graph_objects", "html")
     looks = [_look(result, mesh, name) for name in names]

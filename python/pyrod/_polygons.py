@@ -49,12 +49,11 @@ def _crossings(point: Array, loop: Array) -> int:
 
 
 def _crosses_itself(loop: Array) -> bool:
-    """Whether sides that are no neighbours meet, or corners coincide."""
+    """Whether sides that are no neighbours meet, as they do where corners coincide."""
     k = len(loop)
     apart = (np.arange(k)[:, None] - np.arange(k)) % k
     others = (apart > 1) & (apart < k - 1)
-    repeated = (loop == np.roll(loop, -1, axis=0)).all(axis=1).any()
-    return bool(repeated or (_meet(*_sides(loop), *_sides(loop)) & others).any())
+    return bool((_meet(*_sides(loop), *_sides(loop)) & others).any())
 
 
 def _sides(loop: Array) -> tuple[Array, Array]:

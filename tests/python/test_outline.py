@@ -17,6 +17,8 @@ SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 I_BEAM = [(0, 0), (3, 0), (3, 1), (2, 1), (2, 2), (3, 2), (3, 3), (0, 3), (0, 2), (1, 2), (1, 1)]
 I_BEAM = [*I_BEAM, (0, 1)]  # pairs of its sides lie on one line without meeting
 COMB = [(0, 0), (9, 0), *((9 - i, 5 - 4 * (i % 2)) for i in range(10))]
+NOTCHED = [(0, 0), (10, 0), (10, 10), (5.1, 10), (5, 1), (4.9, 10), (3, 10), (4.5, 8), (2, 10)]
+NOTCHED = [*NOTCHED, (0, 10)]  # the notch is between the nearest corners of outline and hole
 OUTLINES = {
     "circle": Outline.circle(0.5),
     "tube": Outline.tube(2.0, 1.0),
@@ -24,7 +26,9 @@ OUTLINES = {
     "beam": Outline.polygon(I_BEAM),
     "comb": Outline.polygon(COMB),
     "midpoints": Outline.polygon([(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)]),
+    "slanted": Outline.polygon([(0, 0), (5, 4), (6, 5.5), (1, 1.2)]),
     "pierced": Outline.polygon(SQUARE, hole=[(1, 1), (2, 1), (2, 3)]),
+    "notched": Outline.polygon(NOTCHED, hole=[(5.6, 8), (6.5, 7.5), (6.5, 8.5)]),
     "pierced beam": Outline.polygon(I_BEAM, hole=[(1.4, 0.2), (1.6, 0.2), (1.6, 2.8), (1.4, 2.8)]),
 }
 each = pytest.mark.parametrize("outline", OUTLINES.values(), ids=OUTLINES)

@@ -79,6 +79,16 @@ def test_buckling_of_a_column_held_at_both_ends() -> None:
     np.testing.assert_allclose(moves[:, 1:], 0, atol=1e-9)
 
 
+def test_sway_of_a_column_that_slides_across() -> None:
+    """Both ends keep their direction: the displacement is (1 - cos(pi s))/2."""
+    ends = [Clamp(), Slider((1, 0, 0), clamped=True)]
+    result = pyrod.solve(Scene(Rod.straight(1.0, 64, FLAT), ends), eigenvalue=True)
+    (moves,) = mode_displacements(result)
+    expected = (1 - np.cos(np.pi * result.s)) / 2
+    np.testing.assert_allclose(moves[:, 0] / moves[-1, 0], expected, atol=1e-3)
+    np.testing.assert_allclose(moves[0], 0, atol=1e-12)
+
+
 def test_displacements_of_rods_held_elsewhere_and_joined(net: Equilibrium) -> None:
     first, second = mode_displacements(net)
     np.testing.assert_allclose(first[0], 0, atol=1e-12)

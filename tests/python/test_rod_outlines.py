@@ -161,6 +161,15 @@ def test_where_some_sections_have_an_outline_the_others_get_one() -> None:
     assert rod.outline(1.0) == Outline.rectangle(0.02 / sqrt(2.0), 0.02)
 
 
+def test_tables_know_where_there_is_no_outline() -> None:
+    def partly(s: float) -> Section:
+        return THIN if s > 0.1 else replace(THIN, outline=None)
+
+    finer = pickle.loads(pickle.dumps(Rod.straight(1.0, 1, partly)))._refined(2)
+    assert finer.outline(0.1) == Outline.rectangle(0.02, 0.02)
+    assert finer.outline(0.8) == THIN.outline
+
+
 @pytest.mark.parametrize("at", [-0.1, 1.1, "middle", float("nan"), (1, 0.5)])
 def test_places_off_the_rod_are_refused(at: object) -> None:
     with pytest.raises(ValueError, match=r"^at: "):

@@ -111,8 +111,12 @@ def test_pixels_are_where_the_rod_is(bent: pyrod.Equilibrium) -> None:
     np.testing.assert_allclose(span, np.ptp(corners, axis=0), atol=3)
 
 
-def test_all_is_in_the_picture(bent: pyrod.Equilibrium) -> None:
-    image = bent.show(frames=True, off_screen=True, size=SIZE)
+@pytest.mark.parametrize("size", [SIZE, (200, 400)])
+@pytest.mark.parametrize("tangent", [(0, 0, 1), (-1, 1, 0)])
+def test_all_is_in_the_picture(size: tuple[int, int], tangent: tuple[int, int, int]) -> None:
+    rod = Rod.straight(1.0, 12, FLAT)
+    lying = pyrod.solve(Scene(rod, Clamp(tangent=tangent), Force((0, 0, 0.1))))
+    image = lying.show(frames=True, off_screen=True, size=size)
     for border in (image[:5], image[-5:], image[:, :5], image[:, -5:]):
         assert is_paper(border).all()
     assert 0.01 < (~is_paper(image)).mean() < 0.3
