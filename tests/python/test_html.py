@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -159,14 +160,20 @@ def until(browser: Any, condition: Callable[[], Any]) -> Any:
     return WebDriverWait(browser, 30, poll_frequency=0.1).until(lambda _: condition())
 
 
-def colours(browser: Any) -> np.ndarray:
-    """(p, 3) the pixels in the middle of the page that have a strong colour."""
+def picture(browser: Any) -> np.ndarray:
+    """(height, width, 3) the pixels of the page."""
     import matplotlib.image
 
-    image = matplotlib.image.imread(io.BytesIO(browser.get_screenshot_as_png()))[..., :3]
-    height, width = image.shape[:2]
-    middle = image[height // 5 :, : width * 3 // 4].reshape(-1, 3)
-    return middle[np.ptp(middle, axis=1) > 0.3]
+    return matplotlib.image.imread(io.BytesIO(browser.get_screenshot_as_png()))[..., :3]
+
+
+def on_the_rod(image: np.ndarray) -> np.ndarray:
+    """(height, width) which pixels have a strong colour, besides title, legend and colour bar."""
+    strong = np.ptp(image, axis=2) > 0.3
+    height, width = strong.shape
+    strong[: height // 3] = False
+    strong[:, width * 3 // 4 :] = False
+    return strong
 
 
 def choose(browser: Any, name: str) -> None:
@@ -202,7 +209,8 @@ def test_the_page_does_not_scroll(page: Any) -> None:
 
 def test_the_rod_is_drawn_in_colours_that_the_list_changes(page: Any) -> None:
     def mean_colour() -> list[float] | None:
-        found = colours(page)
+        image = picture(page)
+        found = image[on_the_rod(image)]
         return found.mean(axis=0).tolist() if len(found) > 200 else None
 
     moment = until(page, mean_colour)
@@ -219,3 +227,21 @@ def test_the_rod_is_drawn_in_colours_that_the_list_changes(page: Any) -> None:
         return found is not None and np.abs(np.subtract(found, moment)).max() > 0.02
 
     assert until(page, other_colour)
+
+
+def test_pointing_at_the_rod_tells_arc_length_and_value(page: Any) -> None:
+    from selenium.webdriver.common.actions.action_builder import ActionBuilder
+
+    told = "return document.querySelector('.hovertext')?.textContent"
+    strong = on_the_rod(picture(page))
+    rows, columns = np.nonzero(strong)
+    row, column = rows[len(rows) // 2], columns[len(rows) // 2]
+
+    def text() -> str | None:
+        pointer = ActionBuilder(page, duration=0)
+        for shift in (0, 1):  # it has to move
+            pointer.pointer_action.move_to_location(int(column) + shift, int(row))
+        pointer.perform()
+        return page.execute_script(told)
+
+    assert re.search(r"s = [\d.]+ m.*\[.*\]: [\d.]+", until(page, text))
