@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import matplotlib as mpl
 import pytest
 from hypothesis import settings
-from support import FLAT, SOFT, solved
+from support import FLAT, ROUND, SOFT, solved
 
 import pyrod
 
@@ -38,3 +38,15 @@ def planar_cantilever() -> pyrod.Equilibrium:
     """In the plane, inextensible, with its lowest mode."""
     rod = pyrod.Rod.straight(1.0, 10, FLAT)
     return solved(rod, pyrod.Force((1, 0, 0)), space="planar", eigenvalue=True)
+
+
+@pytest.fixture(scope="session")
+def joined_rods() -> pyrod.Equilibrium:
+    """Two rods of different models, the second at the end of the first, with the lowest mode."""
+    rods = [
+        pyrod.Rod.straight(1.0, 6, SOFT),
+        pyrod.Rod.straight(1.0, 5, ROUND).placed((0, 0, 1), tangent=(1, 0, 0)),
+    ]
+    joint = pyrod.Joint(((0, "end"), (1, "start")))
+    load = pyrod.Force((0, 2, -1), at=(1, "end"))
+    return pyrod.solve(pyrod.Scene(rods, pyrod.Clamp(), load, joints=joint), eigenvalue=True)

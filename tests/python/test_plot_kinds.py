@@ -11,21 +11,10 @@ from matplotlib.collections import LineCollection
 from support import FLAT, SOFT, solved, uninstall
 
 import pyrod
-from pyrod import Clamp, Force, Joint, Rod, Scene, Section, plot
+from pyrod import Force, Rod, plot
 
 Equilibrium = pyrod.Equilibrium
 pytestmark = pytest.mark.usefixtures("close_figures")
-
-
-@pytest.fixture(scope="module")
-def net() -> Equilibrium:
-    rods = [
-        Rod.straight(1.0, 6, SOFT),
-        Rod.straight(1.0, 5, Section(1, 1, 1)).placed((0, 0, 1), tangent=(1, 0, 0)),
-    ]
-    joint = Joint(((0, "end"), (1, "start")))
-    scene = Scene(rods, Clamp(), Force((0, 2, -1), at=(1, "end")), joints=joint)
-    return pyrod.solve(scene, eigenvalue=True)
 
 
 def lines(ax: Any) -> dict[str, Any]:
@@ -80,11 +69,13 @@ def test_strains_that_the_model_has_not_are_not_drawn(model: str, drawn: set[str
     assert [text.get_text() for text in lower.texts] == ["the model has none"] * (not drawn)
 
 
-def test_several_rods_have_a_colour_each_and_components_a_line_style(net: Equilibrium) -> None:
-    _, lower = net.plot(what="forces")
+def test_several_rods_have_a_colour_each_and_components_a_line_style(
+    joined_rods: Equilibrium,
+) -> None:
+    _, lower = joined_rods.plot(what="forces")
     found = lines(lower)
     assert len(found) == 6
-    for number, rod in enumerate(net.rods):
+    for number, rod in enumerate(joined_rods.rods):
         of_rod = [found[f"rod {number}: m_{axis}"] for axis in "xyz"]
         assert {line.get_color() for line in of_rod} == {f"C{number}"}
         assert [line.get_linestyle() for line in of_rod] == ["-", "--", ":"]
@@ -148,11 +139,11 @@ def test_edges_are_coloured_whole(planar_cantilever: Equilibrium) -> None:
     assert (high >= local.max(axis=0)).all()
 
 
-def test_the_bar_tells_quantity_and_unit(net: Equilibrium) -> None:
-    ax = net.plot(colour_by="moment.y")
+def test_the_bar_tells_quantity_and_unit(joined_rods: Equilibrium) -> None:
+    ax = joined_rods.plot(colour_by="moment.y")
     (bar,) = (other for other in ax.figure.axes if other is not ax)
     assert bar.get_ylabel() == "section moment m_y [N m]"
-    values = np.concatenate([rod.moment[:, 1] for rod in net.rods])
+    values = np.concatenate([rod.moment[:, 1] for rod in joined_rods.rods])
     assert bar.get_ylim() == pytest.approx((values.min(), values.max()))
 
 
@@ -176,13 +167,13 @@ def test_the_overview_has_all_that_is_known(cantilever: Equilibrium) -> None:
     np.testing.assert_array_equal(record.lines[0].get_ydata(), cantilever.record["residual"])
 
 
-def test_the_overview_leaves_out_what_there_is_not(net: Equilibrium) -> None:
+def test_the_overview_leaves_out_what_there_is_not(joined_rods: Equilibrium) -> None:
     result = solved(Rod.straight(1.0, None, FLAT), Force((1, 0, 0)), space="planar", tol=1e-4)
     figure = result.overview()
     assert not any("Γ" in ax.get_ylabel() for ax in figure.axes)
     assert not any("mode" in title for title in titles(figure))
     assert str(result.accuracy) in figure.get_suptitle()
-    assert "2 rods" in net.overview().get_suptitle()
+    assert "2 rods" in joined_rods.overview().get_suptitle()
 
 
 def test_a_rod_that_is_at_rest_has_an_overview() -> None:

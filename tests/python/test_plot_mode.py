@@ -5,25 +5,14 @@ from __future__ import annotations
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from support import FLAT, SOFT, solved
+from support import FLAT, solved
 
 import pyrod
-from pyrod import Clamp, Force, Hinge, Joint, Rod, Scene, Section, Slider
+from pyrod import Clamp, Force, Hinge, Rod, Scene, Section, Slider
 from pyrod._displaced import mode_displacements
 
 Equilibrium = pyrod.Equilibrium
 pytestmark = pytest.mark.usefixtures("close_figures")
-
-
-@pytest.fixture(scope="module")
-def net() -> Equilibrium:
-    rods = [
-        Rod.straight(1.0, 6, SOFT),
-        Rod.straight(1.0, 5, Section(1, 1, 1)).placed((0, 0, 1), tangent=(1, 0, 0)),
-    ]
-    joint = Joint(((0, "end"), (1, "start")))
-    scene = Scene(rods, Clamp(), Force((0, 2, -1), at=(1, "end")), joints=joint)
-    return pyrod.solve(scene, eigenvalue=True)
 
 
 def test_the_mode_is_drawn_on_both_sides(cantilever: Equilibrium) -> None:
@@ -89,8 +78,8 @@ def test_sway_of_a_column_that_slides_across() -> None:
     np.testing.assert_allclose(moves[0], 0, atol=1e-12)
 
 
-def test_displacements_of_rods_held_elsewhere_and_joined(net: Equilibrium) -> None:
-    first, second = mode_displacements(net)
+def test_displacements_of_rods_held_elsewhere_and_joined(joined_rods: Equilibrium) -> None:
+    first, second = mode_displacements(joined_rods)
     np.testing.assert_allclose(first[0], 0, atol=1e-12)
     np.testing.assert_allclose(first[-1], second[0], atol=1e-12)
     rod = Rod.straight(1.0, 6, FLAT)
