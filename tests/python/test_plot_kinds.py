@@ -69,7 +69,7 @@ def test_strains_that_the_model_has_not_are_not_drawn(model: str, drawn: set[str
     assert [text.get_text() for text in lower.texts] == ["the model has none"] * (not drawn)
 
 
-def test_several_rods_have_a_colour_each_and_components_a_line_style(
+def test_rods_have_a_colour_each_and_components_a_line_style(
     joined_rods: Equilibrium,
 ) -> None:
     _, lower = joined_rods.plot(what="forces")
