@@ -63,7 +63,7 @@ def parsed(path: Path, text: str) -> dict[str, Any]:
         raise _refusal(path, 'it is empty; a scene needs at least "rods"')
     try:
         if path.suffix != ".json":
-            return tomllib.loads(text)
+            return tomllib.loads(text + "\n")  # without, errors at the end have no line
         document = json.loads(text, object_pairs_hook=_without_repeats)
     except ValueError as error:
         line = re.search(r"line (\d+)", str(error))
@@ -91,12 +91,12 @@ def _refusal(path: Path, what: str, line: int | None = None) -> SceneFileError:
 def scene_text(scene: Scene, suffix: str) -> str:
     """The text of a file of a scene."""
     document = write(scene)
-    return dumps(document) if suffix == ".toml" else json_text(document)
+    return dumps(document) if suffix == ".toml" else json_text(document, indent=1)
 
 
-def json_text(document: Any) -> str:
+def json_text(document: Any, indent: int | None = None) -> str:
     """JSON in which numbers that are not finite are texts, "inf", for it has none of these."""
-    return json.dumps(_finite(document), indent=1, allow_nan=False) + "\n"
+    return json.dumps(_finite(document), indent=indent, allow_nan=False) + "\n"
 
 
 def _finite(value: Any) -> Any:

@@ -27,7 +27,6 @@ class Dimension(NamedTuple):
 
 NONE = Dimension("number", "", "0.3")
 LENGTH = Dimension("length", "m", "2 mm")
-ANGLE = Dimension("angle", "rad", "30 deg")
 CURVATURE = Dimension("curvature", "1/m", "0.5 1/cm")
 FORCE = Dimension("force", "N", "-2 N")
 MOMENT = Dimension("moment", "N m", "3 N mm")
@@ -68,7 +67,7 @@ def quantity(text: str, dimension: Dimension) -> float:
     if text in WORDS:
         return float(text)
     match = _QUANTITY.fullmatch(text.strip()) if len(text) <= LONGEST else None
-    if match is None:
+    if match is None or dimension is NONE:
         raise Misread(f"expected {_wanted(dimension)}")
     unit = match["unit"]
     value = _in_si(Decimal(match["number"]), f"1{unit}" if unit[0] == "/" else unit, dimension)
@@ -88,20 +87,19 @@ def _in_si(number: Decimal, unit: str, dimension: Dimension) -> float:
     registry = _registry()
     try:
         units = registry.parse_units(unit.replace("·", "*"))
+        kind = units.dimensionality
     except (AttributeError, ValueError, TypeError, KeyError) as error:
         raise Misread(f'unknown unit "{unit}", expected {_wanted(dimension)}') from error
-    if units.dimensionality != registry.parse_units(dimension.unit).dimensionality:
-        raise Misread(f'expected {_wanted(dimension)}; "{unit}" is {_kind(registry, units)}')
-    if not registry.Quantity(1, units)._is_multiplicative:
-        raise Misread(f'"{unit}" has an offset; expected {_wanted(dimension)}')
+    if kind != registry.parse_units(dimension.unit).dimensionality:
+        raise Misread(f'expected {_wanted(dimension)}; "{unit}" is {_kind(registry, kind)}')
     return float(registry.Quantity(number, units).to(dimension.unit).magnitude)
 
 
-def _kind(registry: Any, units: Any) -> str:
+def _kind(registry: Any, kind: Any) -> str:
     for dimension in DIMENSIONS:
-        if registry.parse_units(dimension.unit).dimensionality == units.dimensionality:
+        if registry.parse_units(dimension.unit).dimensionality == kind:
             return f"a unit of {dimension.name}" if dimension.unit else "a pure number"
-    return f"a unit of {units.dimensionality}"
+    return f"a unit of {kind}"
 
 
 @lru_cache(1)
