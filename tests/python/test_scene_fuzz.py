@@ -78,7 +78,7 @@ def mutants(draw: Any) -> dict[str, Any]:
         around = document
         for step in path:
             around = around[step]
-        act = draw(st.sampled_from(["change", "change", "delete", "add", "double"]))
+        act = draw(st.sampled_from(["change", "number", "number", "delete", "add", "double"]))
         if act == "delete":
             del around[key]
         elif act == "add" and isinstance(around, dict):
@@ -86,7 +86,7 @@ def mutants(draw: Any) -> dict[str, Any]:
         elif act == "double" and isinstance(around, list):
             around.append(copy.deepcopy(around[key]))
         else:
-            around[key] = draw(VALUES)
+            around[key] = draw(NUMBERS if act == "number" else VALUES)
         if not document:
             break
     return document
