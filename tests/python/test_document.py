@@ -82,6 +82,14 @@ def test_functions_become_their_values_as_in_a_pickle() -> None:
     assert back.loads[0].force_per_length[:, 0].tolist() == [0.125, 0.375, 0.625, 0.875]
 
 
+def test_outlines_that_change_along_a_rod_are_kept() -> None:
+    steel = pyrod.Material(200e9)
+    rod = Rod.straight(1.0, 4, lambda s: pyrod.Section.circle(1.0 + s, steel))
+    back = read(write(Scene(rod, Clamp()))).rod
+    for s in (0.0, 0.3, 1.0):
+        assert back.outline(s).radius == pytest.approx(1 + s, rel=1e-8)
+
+
 def test_the_solver_still_chooses_the_edges() -> None:
     """And what is written is as short as what a user would write."""
     scene = Scene(Rod.straight(1.0, None, ROUND), Clamp(), Force((1, 0, 0), at=0.3))
@@ -232,6 +240,7 @@ REFUSED: list[tuple[dict[str, Any], str, str]] = [
     ({"rods": [{**GOOD_ROD, "length": LONG}]}, "rods[0].length", "expected a length"),
     ({"rods": [{**GOOD_ROD, "length": "1e999 m"}]}, "rods[0].length", "too large"),
     ({"rods": [{**GOOD_ROD, "tangent": ["1", 0, 0]}]}, "rods[0].tangent[0]", "without quotes"),
+    ({"rods": [{**GOOD_ROD, "tangent": ["1 deg", 0, 0]}]}, "rods[0].tangent[0]", "without quotes"),
     # names and places
     ({"sections": {"wire": {**WIRE, "material": "s"}}}, "sections.wire.material", "there is steel"),
     (

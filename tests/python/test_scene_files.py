@@ -236,7 +236,7 @@ def test_other_encodings_folders_and_large_files(
 @pytest.mark.parametrize(
     ("text", "dimension", "value"),
     [
-        ("9.2 mm", units.LENGTH, 9.2e-3),
+        ("10.03 mm", units.LENGTH, 10.03e-3),
         ("  2mm ", units.LENGTH, 2e-3),
         ("-1.5e-3 km", units.LENGTH, -1.5),
         ("1 inch", units.LENGTH, 0.0254),
