@@ -16,12 +16,12 @@ from pyrod.scene import Scene
 
 Kind = Literal["bifurcation", "limit point", "none"]
 
-FIRST_TURN = 0.2
-"""Largest turn of the first step [rad]."""
 FASTER = 2.0
-"""How much faster than in the step before a shape may change; beyond, it is another one."""
+"""How much faster than before, or slower, a shape may change; beyond, it is another one."""
 BEND = 0.2
 """How far the lowest eigenvalue may be from where the two before point, relative to it."""
+ROUNDING = 1e-6
+"""A turn [rad], or an eigenvalue relative to that of the unloaded scene, that means nothing."""
 SMALL = 0.05
 """An eigenvalue that went to zero, relative to that of the unloaded scene."""
 
@@ -120,9 +120,23 @@ class Path:
         return states, None
 
     def _next(self, states: list[State], factor: float) -> State | None:
-        """The equilibrium under larger loads, if it goes on from those before."""
+        """The equilibrium under larger loads, if it goes on from those before.
+
+        The first has only one before it, and is compared with one halfway.
+        """
+        if len(states) == 1:
+            middle = self._tried(factor / 2, self.start)
+            if middle is None or middle.result.index > 0:
+                return None
+            states = [self.start, middle]
+        before, last = states
+        new = self._tried(factor, last)
+        return new if new and _goes_on(before, last, new, self.start.eigenvalue) else None
+
+    def _tried(self, factor: float, start: State) -> State | None:
+        """The equilibrium to which Newton's method leads, if it leads to one."""
         try:
-            new = State(factor, self.solved(factor, states[-1].result))
+            new = State(factor, self.solved(factor, start.result))
         except NotConverged:
             return None
         if new.result.index < 0:
@@ -130,7 +144,7 @@ class Path:
                 "loads: they have no potential, so that stability is not a matter of energy; "
                 "moments have one in a planar scene only"
             )
-        return new if _goes_on(states, new) else None
+        return new
 
     def _crossing(self, below: State, above: State, rtol: float) -> Loss:
         """Where the lowest eigenvalue is zero."""
@@ -153,18 +167,17 @@ class Path:
         return Loss("bifurcation", known[factor], above.result.index)
 
 
-def _goes_on(states: list[State], new: State) -> bool:
-    """Whether a state lies on the same path: shape and eigenvalue change as they did before."""
-    last = states[-1]
-    turn = _turn(last, new)
-    scale = max(states[0].eigenvalue, last.eigenvalue)
-    if len(states) == 1:
-        return turn <= FIRST_TURN and abs(new.eigenvalue - last.eigenvalue) <= scale / 2
-    before = states[-2]
+def _goes_on(before: State, last: State, new: State, scale: float) -> bool:
+    """Whether three states lie on one path: shape and eigenvalue change as they did before.
+
+    ``scale`` : the eigenvalue of the unloaded scene.
+    """
     part = (new.factor - last.factor) / (last.factor - before.factor)
     expected = last.eigenvalue + part * (last.eigenvalue - before.eigenvalue)
-    far = abs(new.eigenvalue - expected) > BEND * scale
-    return turn <= FASTER * part * _turn(before, last) + 1e-6 and not far
+    if abs(new.eigenvalue - expected) > max(BEND * last.eigenvalue, ROUNDING * scale):
+        return False
+    turn, expected = _turn(last, new), part * _turn(before, last)
+    return expected / FASTER - ROUNDING <= turn <= expected * FASTER + ROUNDING
 
 
 def _turn(a: State, b: State) -> float:

@@ -91,23 +91,47 @@ def test_a_strip_tilts_to_the_side(row: Any) -> None:
     assert found.index_after == 1
 
 
-def sketched(n: int, eps: float) -> list[Any]:
-    """Frames of a low arch."""
+def sketched(n: int, eps: float, side: int) -> list[Any]:
+    """Frames of a low arch to one side."""
     s = (np.arange(n) + 0.5) / n
-    return [about_y(x) for x in 2 * np.sqrt(eps) * np.sin(2 * np.pi * s)]
+    return [about_y(side * x) for x in 2 * np.sqrt(eps) * np.sin(2 * np.pi * s)]
 
 
 @pytest.mark.parametrize("row", table("S5_arch_midload")["rows"][1:3], ids=lambda r: r["eps"])
 def test_a_buckled_arch_is_pushed_through(row: Any) -> None:
     """It goes to the side, from a start that is an arch; that at rest is straight."""
-    n, eps = 64, float(row["eps"])
+    rod, eps = Rod.straight(1.0, 64, FLAT), float(row["eps"])
     ends = [Clamp(), Clamp((0, 0, 1 - eps), at="end")]
-    load = Force(-X, at=0.5)
-    scene = Scene(Rod.straight(1.0, n, FLAT), ends, load, "planar")
-    sketch = sketched(n, eps)
-    arch = solve(Scene(Rod.straight(1.0, n, FLAT), ends, space="planar"), start=sketch)
-    for start in (sketch, arch):
-        within(critical_load(scene, start=start), float(row["bif"]["F"]), 2e-6)
+    for side in (1, -1):
+        sketch = sketched(64, eps, side)
+        arch = solve(Scene(rod, ends, space="planar"), start=sketch)
+        scene = Scene(rod, ends, Force(-side * X, at=0.5), "planar")
+        for start in (sketch, arch):
+            within(critical_load(scene, start=start), float(row["bif"]["F"]), 2e-6)
+
+
+@pytest.mark.parametrize("ratio", [4.5, 4.02, 4.001, 3.9])
+def test_a_column_that_shortens(ratio: float) -> None:
+    """P (1 - P/EA) = P_E: unstable between two loads that may be near each other."""
+    euler = EULER["clamped-free"]
+    rod = Rod.straight(1.0, 32, Section(4, 1, 2, EA=ratio * euler))
+    found = critical_load(Scene(rod, Clamp(), Force(-Z)), 0.9 * ratio * euler)
+    if ratio < 4:
+        assert found.kind == "none"
+    else:
+        within(found, ratio * euler * (1 - np.sqrt(1 - 4 / ratio)) / 2, 3e-4)
+
+
+def test_units_do_not_matter() -> None:
+    """A hair, in kilometres and in micrometres."""
+    found = []
+    for metre, newton in ((1e-3, 1e-9), (1e6, 1e9)):
+        stiffness = np.array([4.0, 1.0, 2.0]) * newton * metre**2
+        rod = Rod.precurved(metre, 32, Section(*stiffness), 0.3 * X / metre)
+        loads = [Force(-newton * Z), Force(0.1 * newton * Y)]
+        found.append(critical_load(Scene(rod, Clamp(), loads)))
+    assert found[0].kind == found[1].kind == "bifurcation"
+    assert found[0].factor == pytest.approx(found[1].factor, rel=1e-7)
 
 
 def test_isotropic_columns_buckle_all_ways_at_once() -> None:
@@ -164,6 +188,22 @@ def test_a_stiff_arch_goes_to_the_side_before() -> None:
     np.testing.assert_allclose(found.mode[::-1], found.mode, atol=1e-5)  # antisymmetric bending
 
 
+@pytest.mark.parametrize("flatter", [10, 100, 1000])
+def test_a_flat_arch_snaps_at_once(flatter: float) -> None:
+    """Arches whose crowns are as high in radii of gyration snap at forces like their heights."""
+
+    def flat(flatter: float) -> pyrod.Critical:
+        angle = 0.5 / flatter
+        section = Section(1, 1, 1, EA=1e3 * flatter**2)
+        rod = Rod.precurved(1.0, 64, section, angle * Y).placed((0, 0, 0), about_y(-angle / 2))
+        ends = [Hinge(), Hinge(at="end")]
+        return critical_load(Scene(rod, ends, Force(X, at=0.5), "planar"))
+
+    found = flat(flatter)
+    assert found.kind == "limit point"
+    assert found.factor * flatter == pytest.approx(flat(1).factor, rel=2e-2)
+
+
 # No critical load ---------------------------------------------------------------------------------
 
 
@@ -186,7 +226,7 @@ def test_the_upper_factor_is_the_largest() -> None:
     assert critical_load(column(), 0.999 * exact).kind == "none"
     assert critical_load(column(), 1.001 * exact).kind == "bifurcation"
     guess = np.pi**2
-    found = critical_load(Scene(Rod.straight(1.0, 8, FLAT), Clamp(), Force(3 * Z)))
+    found = critical_load(Scene(Rod.straight(1.0, 8, Section(4, 1, 0.5)), Clamp(), Force(3 * Z)))
     assert found.grid_factor == pytest.approx(100 * guess / 3)
 
 
