@@ -22,6 +22,8 @@ BEND = 0.2
 """How far the lowest eigenvalue may be from where the two before point, relative to it."""
 ROUNDING = 1e-6
 """A turn [rad], or an eigenvalue relative to that of the unloaded scene, that means nothing."""
+ZERO = 1e-10
+"""An eigenvalue of which not even the sign means anything, relative to the same."""
 SMALL = 0.05
 """An eigenvalue that went to zero, relative to that of the unloaded scene."""
 
@@ -148,6 +150,9 @@ class Path:
 
     def _crossing(self, below: State, above: State, rtol: float) -> Loss:
         """Where the lowest eigenvalue is zero."""
+        for state in (below, above):
+            if abs(state.eigenvalue) < ZERO * self.start.eigenvalue:
+                return Loss("bifurcation", state, above.result.index)
         optimize = need("scipy.optimize", "all")
         known = {state.factor: state for state in (below, above)}
 
