@@ -36,8 +36,8 @@ def path(tmp_path: Path) -> Path:
     file = tmp_path / "scene.toml"
     file.write_text(
         "rods = [{length = 1.0, edges = 8, section = 'soft'}]\n"
-        "supports = [{type = 'clamp'}]\n"
-        "loads = [{type = 'force', force = [1.0, 0.5, -2.0]}]\n"
+        "supports = [{kind = 'clamp'}]\n"
+        "loads = [{kind = 'force', force = [1.0, 0.5, -2.0]}]\n"
         f"[sections.soft]\nEI1 = {SOFT.EI1}\nEI2 = {SOFT.EI2}\nGJ = {SOFT.GJ}\n"
         f"GA1 = {SOFT.GA1}\nGA2 = {SOFT.GA2}\nEA = {SOFT.EA}\n"
     )
