@@ -144,6 +144,13 @@ def uninstall(monkeypatch: pytest.MonkeyPatch, package: str) -> None:
     monkeypatch.setattr(sys, "meta_path", [Missing(package), *sys.meta_path])
 
 
+def within(found: pyrod.Critical, exact: float, relative: float) -> None:
+    """The error is less than it is told to be, and than it should be."""
+    assert abs(found.factor - exact) <= found.error + relative * exact
+    assert abs(found.factor / exact - 1) < relative
+    assert found.error < 2e-3 * exact
+
+
 # Smooth curves ------------------------------------------------------------------------------------
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)

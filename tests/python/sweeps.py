@@ -24,6 +24,11 @@ from pyrod import Clamp, Force, Rod, Scene, Section
 GRID = {"load": [0.5, 1.0, 2.0, 5.0, 13.0], "angle": np.linspace(0.1, 3.0, 6)}
 
 
+def sweep(*args: Any, **more: Any) -> pyrod.Sweep:
+    """A sweep without a bar."""
+    return pyrod.sweep(*args, **{"progress": False, **more})
+
+
 def cantilever(load: float, angle: float, edges: int = 24) -> Scene:
     """A strip whose tip is pulled to the side and pushed back; load 13 it does not take."""
     if load == 13:
@@ -49,7 +54,7 @@ def logged(load: float, log: str) -> Scene:
 def resumable(folder: Path) -> pyrod.Sweep:
     """A sweep that takes a while, with its store and its log in a folder."""
     parameters = {"load": np.linspace(0.1, 6.0, 60), "log": [str(folder / "log")]}
-    return pyrod.sweep(logged, parameters, store=folder / "store", progress=False)
+    return sweep(logged, parameters, store=folder / "store")
 
 
 def dying(load: float) -> Scene:
@@ -69,7 +74,7 @@ def pool(kind: str) -> Executor:
 def main() -> None:
     kind, path = sys.argv[1:]
     with pool(kind) as executor:
-        done = pyrod.sweep(cantilever, GRID, measure=shape, executor=executor, progress=False)
+        done = sweep(cantilever, GRID, measure=shape, executor=executor)
     Path(path).write_bytes(pickle.dumps(done))
 
 

@@ -90,7 +90,9 @@ def test_without_a_command_help_is_shown() -> None:
 # Imports ------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("module", ["matplotlib", "scipy", "mpmath", "hypothesis"])
+@pytest.mark.parametrize(
+    "module", ["matplotlib", "scipy", "mpmath", "hypothesis", "tqdm", "xarray"]
+)
 def test_import_needs_numpy_only(module: str) -> None:
     assert python("-c", f"import sys, pyrod; print({module!r} in sys.modules)") == "False"
 
@@ -174,6 +176,8 @@ def test_public_functions_are_documented(name: str, function: object) -> None:
     "function",
     [
         pyrod.solve,
+        pyrod.sweep,
+        pyrod.critical_load,
         pyrod.curve.strains,
         pyrod.curve.bishop_from_frenet,
         pyrod.curve.frenet_from_bishop,
@@ -230,7 +234,9 @@ def test_fields_are_described(made: type) -> None:
 
 
 @pytest.mark.parametrize(
-    "made", [pyrod.Equilibrium, pyrod.RodEquilibrium], ids=lambda c: c.__name__
+    "made",
+    [pyrod.Equilibrium, pyrod.RodEquilibrium, pyrod.Sweep, pyrod.Critical],
+    ids=lambda c: c.__name__,
 )
 def test_results_explain_their_fields(made: type) -> None:
     """Beside the field or above it, in the source: they are read from there by editors."""
@@ -242,7 +248,7 @@ def test_results_explain_their_fields(made: type) -> None:
 
 
 def test_modules_are_documented() -> None:
-    for path in (*PACKAGE.glob("*.py"), *PACKAGE.glob("curve/*.py"), *PACKAGE.glob("plot/*.py")):
+    for path in PACKAGE.rglob("*.py"):
         module = ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
         if path.stem != "__main__":
             assert importlib.import_module(module).__doc__, path

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from concurrent.futures import Executor
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from support import SOFT, same_sweep
-from sweeps import pool
+from sweeps import pool, sweep
 
 import pyrod
 from pyrod import Clamp, Force, Rod, Scene, solve
@@ -19,10 +18,6 @@ document = pytest.importorskip("pyrod._document")
 SCENE = Scene(Rod.straight(1.0, 8, SOFT), Clamp(), Force((1.0, 0.5, -2.0)))
 PATH = "loads.0.force.2"
 VALUES = [-2.0, 0.0, 3.0]
-
-
-def sweep(source: Any, parameters: Any, **more: Any) -> pyrod.Sweep:
-    return pyrod.sweep(source, parameters, **{"progress": False, **more})
 
 
 @pytest.fixture
