@@ -13,8 +13,6 @@ from sweeps import pool, sweep
 import pyrod
 from pyrod import Clamp, Force, Rod, Scene, solve
 
-document = pytest.importorskip("pyrod._document")
-
 SCENE = Scene(Rod.straight(1.0, 8, SOFT), Clamp(), Force((1.0, 0.5, -2.0)))
 PATH = "loads.0.force.2"
 VALUES = [-2.0, 0.0, 3.0]
