@@ -275,7 +275,7 @@ def unit(values: ArrayLike | None, name: str) -> Array | None:
     v = vector(values, name)
     if not v.any():
         raise ValueError(f"{name}: expected a direction, got the zero vector")
-    if abs(v @ v - 1) < 1e-15:
+    if np.abs(v).max() <= 1 and abs(v @ v - 1) < 1e-15:
         return v  # to the last bit, so that what is written and read again is the same
     v = v / np.abs(v).max()
     return frozen(v / np.linalg.norm(v))
