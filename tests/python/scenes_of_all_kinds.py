@@ -13,6 +13,21 @@ from support import frames, vectors
 import pyrod
 from pyrod import Outline, Rod, Section
 
+STEEL = {"E": "200 GPa", "density": "7850 kg/m^3"}
+WIRE = {"circle": {"radius": "1 mm"}, "material": "steel"}
+
+
+def document(**changes: Any) -> dict[str, Any]:
+    """A clamped wire, with other keys on top."""
+    return {
+        "materials": {"steel": STEEL},
+        "sections": {"wire": WIRE},
+        "rods": [{"name": "wire", "length": "1 m", "edges": 8, "section": "wire"}],
+        "supports": [{"kind": "clamp"}],
+        **changes,
+    }
+
+
 POSITIVE = st.floats(0.01, 100.0)
 DIRECTIONS = vectors().filter(lambda v: np.linalg.norm(v) > 0.1)
 PARTS = st.floats(0.05, 0.95).map(lambda x: round(x, 3))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from pyrod._optional import need
 from pyrod.equilibrium import Equilibrium
 
@@ -12,7 +14,8 @@ from pyrod.equilibrium import Equilibrium
 def save_picture(result: Equilibrium, path: Path, **style: Any) -> None:
     """What `Equilibrium.plot` draws."""
     pyplot = need("matplotlib.pyplot", "plot")
-    figure: Any = result.plot(**style).figure
+    axes: Any = result.plot(**style)  # of one picture, or of several
+    figure = np.ravel(axes)[0].figure
     try:
         figure.savefig(path)
     finally:
