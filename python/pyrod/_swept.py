@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pyrod._fields import KINDS, field
 from pyrod._immutable import Array
 from pyrod._outlines import outlines
 from pyrod._polygons import triangles
@@ -47,6 +48,19 @@ class Swept(NamedTuple):
         """(f + t, ...) of what each rod has on its edges, (n, ...): on quads, then on caps."""
         corner = np.concatenate([self.quads[:, 0], self.caps[:, 0]])
         return _picked(of_rods, self.rod[corner], self.edge)
+
+    def quantities(self, result: Equilibrium) -> tuple[dict[str, Any], dict[str, Any]]:
+        """All quantities of `pyrod._fields`: those of vertices at the points, those of edges on the
+        faces; and "rod", the number of the rod, at the points."""
+        at_points: dict[str, Any] = {"rod": self.rod}
+        on_faces: dict[str, Any] = {}
+        for name, kind in KINDS.items():
+            values = [field(rod, name).values for rod in result.rods]
+            if kind.place == "vertex":
+                at_points[name] = self.at_points(values)
+            else:
+                on_faces[name] = self.on_faces(values)
+        return at_points, on_faces
 
 
 def _picked(of_rods: Sequence[Array], rod: Indices, row: Indices) -> Array:

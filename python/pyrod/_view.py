@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pyrod._fields import KINDS, field
+from pyrod._fields import field
 from pyrod._immutable import Array
 from pyrod._measure import measure
 from pyrod._optional import need
@@ -33,13 +33,9 @@ def solid(result: Equilibrium, sides: int = 24) -> Any:
     """The swept solid as ``pyvista.PolyData`` with all quantities; see `Equilibrium.to_pyvista`."""
     mesh = swept(result, sides)
     poly = _poly(mesh)
-    poly.point_data["rod"] = mesh.rod
-    for name, kind in KINDS.items():
-        values = [field(rod, name).values for rod in result.rods]
-        if kind.place == "vertex":
-            poly.point_data[name] = mesh.at_points(values)
-        else:
-            poly.cell_data[name] = mesh.on_faces(values)
+    at_points, on_faces = mesh.quantities(result)
+    poly.point_data.update(at_points)
+    poly.cell_data.update(on_faces)
     return poly
 
 

@@ -116,7 +116,7 @@ class Outline:
         if type(self) is not type(other) or corners[0] != corners[1]:
             return self if part < 0.5 else other
         pairs = [(getattr(self, f.name), getattr(other, f.name)) for f in fields(self)]
-        return type(self)(*[_between(a, b, part) for a, b in pairs])
+        return type(self)(*[_between(a, b, float(part)) for a, b in pairs])
 
 
 @dataclass(frozen=True, repr=False)

@@ -13,6 +13,7 @@ from support import ROUND
 import pyrod
 from pyrod import Clamp, Rod, Scene
 from pyrod._fields import KINDS, field
+from pyrod._measure import measure
 from pyrod._swept import swept
 
 pytest_plugins = ["shared_results"]
@@ -85,8 +86,13 @@ def test_solids_carry_the_values_at_the_vertices(
     mesh = pyvista.read(path)
     surface = swept(joined, 12)
     np.testing.assert_array_equal(mesh.points, surface.points)
-    np.testing.assert_array_equal(mesh.point_data["moment"], surface.values(joined, "moment"))
-    np.testing.assert_array_equal(mesh.point_data["rod"], surface.rod)
+    for place, values in zip(
+        (mesh.point_data, mesh.cell_data), surface.quantities(joined), strict=True
+    ):
+        assert set(place.keys()) == set(values)
+        for name, array in values.items():
+            np.testing.assert_array_equal(place[name], array)
+    assert "force" in mesh.cell_data
     assert mesh.n_cells == len(surface.quads) + len(surface.caps)
     closed = mesh if suffix == ".vtp" else mesh.extract_surface(algorithm="dataset_surface")
     area = 12 / 2 * np.sin(2 * np.pi / 12) * (0.02**2 - 0.01**2)
@@ -110,15 +116,14 @@ def test_solids_are_closed_and_have_the_volume_of_the_rods(
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".glb", ".obj"])
-@pytest.mark.parametrize("quantity", ["moment", "s"])
+@pytest.mark.parametrize("quantity", ["moment", "moment.y", "Gamma", "s"])
 def test_solids_are_coloured_by_a_quantity(
     joined: pyrod.Equilibrium, suffix: str, quantity: str, tmp_path: Path
 ) -> None:
     path = tmp_path / f"result{suffix}"
     joined.save(path, colour_by=quantity)
     mesh = trimesh.load_mesh(path, process=False)
-    values = swept(joined).values(joined, quantity)
-    size = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
+    size = swept(joined).at_points(measure(joined, quantity).at_vertices)
     colours = np.asarray(mesh.visual.vertex_colors)[:, :3]
     ends = [colours[size.argmin()], colours[size.argmax()]]
     np.testing.assert_array_equal(ends, [(68, 1, 84), (253, 231, 36)])  # of viridis

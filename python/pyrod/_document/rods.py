@@ -198,7 +198,7 @@ def _by_arrays(table: Table, rod: Rod) -> dict[str, Any]:
     values: dict[str, Any] = dict(zip(ARRAYS, arrays, strict=True), model=rod.model)
     if table.mass.any():
         values["mass_per_length"] = table.mass
-    if table.shapes:
+    if any(x is not None for ends in table.shapes for x in ends):
         pairs = [[{} if x is None else x.to_dict() for x in ends] for ends in table.shapes]
         one = pairs[0][0]
         values["outlines"] = one if all(x == one for pair in pairs for x in pair) else pairs

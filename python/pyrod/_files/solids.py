@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod._measure import measure
 from pyrod._optional import need
 from pyrod._swept import Swept, swept
 from pyrod.equilibrium import Equilibrium
@@ -25,7 +26,7 @@ def save_painted(
     if colour_by is None:
         _mesh(surface).export(path)
         return
-    values = surface.values(result, colour_by)
+    values = surface.at_points(measure(result, colour_by).at_vertices)
     _mesh(surface, vertex_colors=_colours(values)).export(path)
 
 
@@ -35,7 +36,6 @@ def _mesh(surface: Swept, **colours: Any) -> Any:
 
 
 def _colours(values: np.ndarray) -> np.ndarray:
-    """(p, 4) bytes: the least value is dark blue, the largest yellow; vectors by their size."""
-    size = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
-    part = (size - size.min()) / (np.ptp(size) or 1.0)
+    """(p, 4) bytes: the least value is dark blue, the largest yellow."""
+    part = (values - values.min()) / (np.ptp(values) or 1.0)
     return need("matplotlib", "plot").colormaps["viridis"](part, bytes=True)

@@ -76,12 +76,9 @@ def _lines(result: Equilibrium) -> Mesh:
 
 
 def _solid(result: Equilibrium, sides: int) -> Mesh:
-    """The surface, with the quantities at the vertices to which its points belong."""
+    """The surface, with the quantities of the vertices and edges to which it belongs."""
     surface = swept(result, sides)
-    names = [name for name in KINDS if name not in ("positions", "frames")]
-    values: dict[str, np.ndarray] = {name: surface.values(result, name) for name in names}
-    values["rod"] = surface.rod
-    return Mesh(surface.points, (surface.quads, surface.caps), values, {})
+    return Mesh(surface.points, (surface.quads, surface.caps), *surface.quantities(result))
 
 
 def _about(result: Equilibrium, title: str) -> dict[str, Any]:
