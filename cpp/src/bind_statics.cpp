@@ -107,7 +107,8 @@ void statics(py::module_& module) {
 
   py::class_<GridLoads>(module, "Loads")
       .def(py::init([](const Rod<Spatial>& rod) {
-             return GridLoads{rod.grid, Loads<Spatial>(rod.edges())};
+             const EndCurvature<Spatial> K0{rod.K0.front(), rod.K0.back()};
+             return GridLoads{rod.grid, K0, Loads<Spatial>(rod.edges())};
            }),
            py::arg("rod"))
       .def(
@@ -137,7 +138,10 @@ void statics(py::module_& module) {
       .def(
           "add_following_force",
           [](GridLoads& self, const Array& F, double s) {
-            add_at(self, &L::add_following_force, vector3(F, "force"), s);
+            self.add(
+                [value = vector3(F, "force"), s, K0 = self.K0](L& loads, const Grid& grid, int) {
+                  loads.add_following_force(grid, value, s, K0);
+                });
           },
           py::arg("force"), py::arg("at"))
       .def(

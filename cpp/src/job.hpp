@@ -16,6 +16,7 @@ struct GridLoads {
   using Recipe = std::function<void(Loads<Spatial>&, const Grid&, int parts)>;
 
   Grid grid;
+  EndCurvature<Spatial> K0;
   Loads<Spatial> loads;
   std::vector<Recipe> recipes = {};
 

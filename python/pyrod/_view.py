@@ -56,12 +56,14 @@ def show(
     size: tuple[int, int],
 ) -> Any:
     """Opens a window, or makes an image without one; see `Equilibrium.show`."""
-    plotter = scene(result, colour_by, frames, off_screen or screenshot is not None, sides, size)
-    if not plotter.off_screen:
-        plotter.show()
-        return None
-    image = plotter.screenshot(None if screenshot is None else str(screenshot))
-    plotter.close()
+    hidden = off_screen or screenshot is not None
+    with need("pyvista", "view").vtk_verbosity("error"):  # VTK warns that there is no display
+        plotter = scene(result, colour_by, frames, hidden, sides, size)
+        if not hidden:
+            plotter.show()
+            return None
+        image = plotter.screenshot(None if screenshot is None else str(screenshot))
+        plotter.close()
     return image
 
 

@@ -167,3 +167,33 @@ def test_pressure_on_a_cantilever_turns_with_it() -> None:
     r = solved(rod, DistributedForce(30 * X, follower=True))
     dead = solved(rod, DistributedForce(30 * X))
     assert rotate(dead.tip_frame, Z)[2] > 0 > rotate(r.tip_frame, Z)[2]
+
+
+CURVED = {"end": [Clamp()], "start": [Clamp((0.0, 0.0, 0.0), at="end")]}
+PULL = (2.0, 1.0, -3.0)
+
+
+def curved(at: str, n: int | None, **more: Any) -> pyrod.Equilibrium:
+    """A rod that is curved and twisted at rest, pulled in the frame of its free end."""
+    rod = Rod.precurved(1.0, n, SOFT, lambda s: (0.5, 2.0 - s, 1.0 + s))
+    return solve(Scene(rod, CURVED[at], Force(PULL, at=at, follower=True)), **more)
+
+
+@pytest.mark.parametrize("at", CURVED)
+def test_at_an_end_it_has_the_components_of_the_frame_of_the_end(at: str) -> None:
+    result = curved(at, 16)
+    end, sign = (-1, 1) if at == "end" else (0, -1)
+    expected = rotate(result.vertex_frames[end], np.array(PULL))
+    np.testing.assert_allclose(sign * result.force[end], expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("at", CURVED)
+def test_at_the_end_of_a_curved_rod_it_converges_with_order_two(at: str) -> None:
+    exact = curved(at, None, tol=1e-9)
+    assert exact.accuracy is not None
+    assert exact.accuracy.regular
+    free = -1 if at == "end" else 0
+    errors = [
+        np.linalg.norm(curved(at, n).positions[free] - exact.positions[free]) for n in (32, 64, 128)
+    ]
+    assert (np.abs(orders(errors) - 2) < 0.1).all(), errors

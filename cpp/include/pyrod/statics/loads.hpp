@@ -24,6 +24,12 @@ struct FollowerCouple {
   Spin<Space> couple;
 };
 
+/// Curvature that a rod has at rest at its ends, by which a frame there differs from its edge's.
+template <class Space>
+struct EndCurvature {
+  Spin<Space> start = Spin<Space>::Zero(), end = Spin<Space>::Zero();
+};
+
 /// Loads fixed in space, all in spatial components. A force at a vertex acts on its position, a
 /// couple on an edge acts on its frame; the end couple acts on the end of the rod, behind the last
 /// half cell.
@@ -69,19 +75,27 @@ struct Loads {
     if (j < n) couple[j] += t * M;
   }
 
-  /// A force at arc length s in the components of the frame there: that of the edge, at a vertex
-  /// half in that of either edge.
-  void add_following_force(const Grid& grid, const Point<Space>& F, double s) {
+  /// A force at arc length s in the components of the frame there: that of the edge; at a vertex
+  /// half in that of either edge; at an end in that of the edge, turned on by the curvature at
+  /// rest.
+  void add_following_force(const Grid& grid, const Point<Space>& F, double s,
+                           const EndCurvature<Space>& K0 = {}) {
     s = grid.on_rod(s);
     const auto& S = grid.arc_lengths();
     int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
     j = std::min(j, grid.edges() - 1);
     const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));
-    const auto put = [&](int edge, int vertex, double part) {
-      if (part > 0) following_forces.push_back({edge, vertex, part * F});
+    const auto put = [&](int edge, int vertex, double part,
+                         const Spin<Space>& turn = Spin<Space>::Zero()) {
+      if (part > 0)
+        following_forces.push_back({edge, vertex, part * Point<Space>(rotate(exp(turn), F))});
     };
     if (t == 0 && j > 0)
       put(j - 1, j, 0.5), put(j, j, 0.5);
+    else if (t == 0)
+      put(0, 0, 1, -grid.h(0) / 2 * K0.start);
+    else if (t == 1)
+      put(j, j + 1, 1, grid.h(j) / 2 * K0.end);
     else
       put(j, j, 1 - t), put(j, j + 1, t);
   }
