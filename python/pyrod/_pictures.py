@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from pyrod.equilibrium import Equilibrium
-    from pyrod.plot import What
+    from pyrod.plot._draw import What
 
 
 class Pictures:

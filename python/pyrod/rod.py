@@ -211,7 +211,7 @@ class Rod(Immutable):
         ----------
         at : "start", "end" or an arc length [m].
 
-        A section that was given by its stiffnesses has none (`Section.outline`). Then one is made
+        A section that was given by its stiffnesses has none (``Section.outline``). Then one is made
         up: the rectangle, a fiftieth of the rod's length in size, whose proportions have the ratio
         EI1/EI2; its thinner side is drawn no thinner than a twentieth of the other.
 

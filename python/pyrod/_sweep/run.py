@@ -55,8 +55,8 @@ def sweep(
         curvature, section force and moment (largest_K, largest_force, largest_moment), and
         lowest_eigenvalue and estimated_error if they are known.
     executor : where to solve: None (default), here, one by one; an executor of
-        `concurrent.futures` (threads or processes), of mpi4py, loky or dask, or a
-        `dask.distributed.Client`. Cases are sent together, as many as take a tenth of a second.
+        ``concurrent.futures`` (threads or processes), of mpi4py, loky or dask, or a
+        ``dask.distributed.Client``. Cases are sent together, as many as take a tenth of a second.
     options, tol, model, stable, eigenvalue : see `solve`.
     start : "previous": along the last parameter of a grid, or down a list, each case starts from
         the equilibrium of the one before.

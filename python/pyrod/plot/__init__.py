@@ -1,6 +1,6 @@
 """Pictures of equilibria with matplotlib, which is imported when one is drawn."""
 
-from pyrod.plot._draw import What, draw
+from pyrod.plot._draw import draw
 from pyrod.plot._overview import overview
 
-__all__ = ["What", "draw", "overview"]
+__all__ = ["draw", "overview"]
