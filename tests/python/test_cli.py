@@ -16,6 +16,8 @@ import pytest
 import pyrod
 from pyrod import reference
 
+pytestmark = pytest.mark.outside
+
 CANTILEVER = """
 [sections.wire]
 EI1 = 1.0

@@ -12,6 +12,8 @@ import pytest
 
 import pyrod.reference
 
+pytestmark = pytest.mark.outside
+
 EXAMPLE = Path(__file__).parents[2] / "examples" / "cpp"
 ONE_FILE = """
 #include <pyrod/sparse/cholesky.hpp>

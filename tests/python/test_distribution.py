@@ -24,6 +24,8 @@ import check_wheel
 import repair_wheel
 from check_wheel import WrongWheel
 
+pytestmark = pytest.mark.outside
+
 ROOT = Path(__file__).parents[2]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 METADATA = "Name: pyrod\nLicense-Expression: BSD-3-Clause\nLicense-File: LICENSE\n\nText\n"

@@ -21,6 +21,8 @@ pytest.importorskip("pydata_sphinx_theme", reason="the site is built where pyrod
 
 from sphinx.util.inventory import InventoryFile
 
+pytestmark = pytest.mark.outside
+
 ROOT = Path(__file__).parents[2]
 SHARED = ("benchmarks", "cpp", "examples", "tests")
 MODULES = [pyrod, pyrod.rotation, pyrod.curve, reference, plot]

@@ -19,6 +19,8 @@ from pyrod import Clamp, Force, Joint, Material, Rod, Scene, Section
 from pyrod._html import interactive
 from pyrod._swept import swept
 
+pytestmark = pytest.mark.outside
+
 pytest.importorskip("plotly", reason="interactive pictures need plotly")
 
 FLAT = Section.rectangle(0.02, 0.06, Material(E=1e6))

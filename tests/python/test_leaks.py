@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.outside
+
 HERE = Path(__file__).parent
 ONE_HEAP = {
     "PYTHONMALLOC": "malloc",  # Python's own objects are counted, too

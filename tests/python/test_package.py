@@ -18,6 +18,8 @@ import pytest
 import pyrod
 from pyrod import plot
 
+pytestmark = pytest.mark.outside
+
 PACKAGE = Path(pyrod.__path__[0])
 ROOT = Path(__file__).parents[2]
 

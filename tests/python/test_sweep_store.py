@@ -20,6 +20,8 @@ from sweeps import GRID, cantilever, resumable, shape
 import pyrod
 from pyrod import Section, sweep
 
+pytestmark = pytest.mark.outside
+
 
 def stored(path: Path, **more: Any) -> pyrod.Sweep:
     settings = {"scene": cantilever, "parameters": GRID, "measure": shape, "progress": False}
