@@ -38,7 +38,8 @@ def draw(
         both ways along the lowest mode, with stability index and lowest eigenvalue.
     directors : draw the fringe (of shapes in space only); default True.
     colour_by : colour the shape by a quantity, with a colour bar: a name out of
-        `pyrod.RodEquilibrium` for its magnitude ("moment"), or with a component ("moment.x", "material_moment.1").
+        `pyrod.RodEquilibrium` for its magnitude ("moment"), or with a component ("moment.x",
+        "material_moment.1").
     style : passed to ``Axes.plot``, of values of edges to ``Axes.stairs``.
 
     Values of edges are drawn as steps, those of vertices as lines between them; where the shape is

@@ -1,6 +1,6 @@
 """Pictures of equilibria for the pages: each is drawn by the program of its name in ``plot``.
 
-Usage: scenes.py [FOLDER [NAME ...]]: writes the pictures, or those that are named.
+Usage: pictures.py [FOLDER [NAME ...]]: writes the pictures, or those that are named.
 """
 
 from __future__ import annotations
