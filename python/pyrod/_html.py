@@ -80,11 +80,12 @@ def _look(result: Equilibrium, mesh: Swept, name: str) -> dict[str, Any]:
 
 
 def _centrelines(result: Equilibrium, objects: Any) -> list[Any]:
-    """A line for each rod, to be seen where the solid is switched off in the legend."""
+    """A line for each rod, which is switched on in the legend."""
     return [
         objects.Scatter3d(
             **dict(zip("xyz", rod.positions.T, strict=True)),
             mode="lines+markers",
+            visible="legendonly",
             line={"width": 4},
             marker={"size": 2},
             name="centreline" if len(result.rods) == 1 else f"centreline {number}",
@@ -96,14 +97,17 @@ def _centrelines(result: Equilibrium, objects: Any) -> list[Any]:
 
 
 def _space(result: Equilibrium) -> dict[str, Any]:
-    """Axes of one scale."""
+    """Axes of one scale, in a box whose longest side fills the view."""
     low, high = box(np.vstack([rod.positions for rod in result.rods]))
     margin = 0.05 * (high - low).max()
     axes = {
         f"{axis}axis": {"title": {"text": f"{axis} [m]"}, "range": [a - margin, b + margin]}
         for axis, a, b in zip("xyz", low.tolist(), high.tolist(), strict=True)
     }
-    return {"aspectmode": "data", "camera": {"eye": {"x": 1.4, "y": 1.4, "z": 1.1}}, **axes}
+    sides = high - low + 2 * margin
+    ratio = dict(zip("xyz", (sides / sides.max()).tolist(), strict=True))
+    camera = {"eye": {"x": 1.15, "y": 1.15, "z": 0.9}}
+    return {"aspectmode": "manual", "aspectratio": ratio, "camera": camera, **axes}
 
 
 def _menu(names: list[str], looks: list[dict[str, Any]], active: int) -> dict[str, Any]:

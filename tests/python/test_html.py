@@ -65,7 +65,9 @@ def test_every_rod_has_its_centreline(net: pyrod.Equilibrium, bent: pyrod.Equili
 
 def test_scales_are_equal_and_hold_the_rods(net: pyrod.Equilibrium) -> None:
     space = interactive(net, "moment", 16).layout.scene
-    assert space.aspectmode == "data"
+    sides = [np.ptp(getattr(space, f"{name}axis").range) for name in "xyz"]
+    ratios = [space.aspectratio[name] for name in "xyz"]
+    np.testing.assert_allclose(ratios, sides / max(sides))
     positions = np.vstack([rod.positions for rod in net.rods])
     for axis, name in enumerate("xyz"):
         shown = getattr(space, f"{name}axis")
