@@ -16,7 +16,7 @@ PIP     := $(PY) -m pip install --quiet
 SOURCES := CMakeLists.txt pyproject.toml README.md \
            $(shell find cmake cpp python -name __pycache__ -prune -o -print)
 
-.PHONY: help demo test test-cpp test-python bench sanitize coverage docs lint format stubs clean
+.PHONY: help demo test test-cpp test-python bench sanitize coverage docs fuzz lint format stubs clean
 .DELETE_ON_ERROR:
 
 help: ## list the targets
@@ -53,6 +53,11 @@ coverage: build/system-packages $(VENV)/package $(VENV)/test-tools ## tell which
 docs: $(VENV)/package $(VENV)/test-tools ## build the documentation site into build/docs
 	@$(PY) -m sphinx -W --keep-going -q -b html docs build/docs
 	@echo "Open build/docs/index.html"
+
+fuzz: $(VENV)/package ## look for scene files that break the reader, for five minutes
+	@$(PIP) atheris
+	@mkdir -p build/fuzz
+	@$(PY) tests/fuzz/scene_file.py build/fuzz examples/scenes -max_total_time=300
 
 CXX_FILES = $(shell find cpp tests/cpp benchmarks examples -name '*.[ch]pp')
 

@@ -47,6 +47,12 @@ def test_tables_are_those_of_the_schema() -> None:
     ]
 
 
+def test_options_are_explained_as_by_the_solver() -> None:
+    for name in schema.OPTIONS:
+        (meaning,) = re.findall(rf"^\| `{name}` \|.*\| (.*) \|$", PAGE, re.MULTILINE)
+        assert meaning == getattr(pyrod.Options, name).__doc__
+
+
 def test_the_scene_on_the_page_can_be_read() -> None:
     (text,) = re.findall(r"^```toml\n(.*?)^```", PAGE, re.DOTALL | re.MULTILINE)
     assert isinstance(read(tomllib.loads(text)), pyrod.Scene)
