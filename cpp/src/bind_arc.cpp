@@ -28,9 +28,12 @@ HeldArc held_arc(const Array& positions, bool closed, const std::optional<Array>
                  const std::optional<Array>& end) {
   const Arc arc{view3(positions, "positions"), closed ? Closure::closed : Closure::open,
                 tangent(start, "start_tangent"), tangent(end, "end_tangent")};
-  const py::gil_scoped_release release;
-  arc.check();
-  return {positions, arc, arc_length(arc)};
+  const auto checked = [&] {  // what is returned holds the array: not without the lock
+    const py::gil_scoped_release release;
+    arc.check();
+    return arc_length(arc);
+  };
+  return {positions, arc, checked()};
 }
 
 /// Lets Ctrl-C end a long computation.
