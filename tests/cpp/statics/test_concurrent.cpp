@@ -44,9 +44,7 @@ bool same(const std::vector<Rotation>& q, const Positions& r, const std::vector<
 TEST_CASE_TEMPLATE("clamped rods on several threads are those on one, to the bit", Case,
                    EACH_MODEL) {
   const auto scene = rich_scene<typename Case::Space>(32);
-  const auto find = [&] {
-    return solved<typename Case::Space, typename Case::Model>(scene).curve;
-  };
+  const auto find = [&] { return solved<typename Case::Space, typename Case::Model>(scene).curve; };
   const auto alone = find();
   for (const auto& curve : together(find))
     CHECK(same(curve.frames, curve.positions, alone.frames, alone.positions));
