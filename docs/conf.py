@@ -25,7 +25,7 @@ extensions = [
     "sphinx_gallery.gen_gallery",
 ]
 nitpicky = True
-nitpick_ignore = [("py:obj", name) for name in ("scipy.sparse.csc_array", "rods", "solve")]
+nitpick_ignore = [("py:obj", "scipy.sparse.csc_array")]
 
 # Pages: the same files are read on GitHub, so formulas are text and anchors are GitHub's.
 myst_enable_extensions = ["colon_fence"]

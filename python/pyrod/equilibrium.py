@@ -92,7 +92,7 @@ class RodEquilibrium(Lazy, Immutable):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Equilibrium(Pictures, Savable, Lazy, Immutable):
-    """Equilibrium of a scene: its `rods`, and how it was found.
+    """Equilibrium of a scene: its ``rods``, and how it was found.
 
     Of a scene with one rod, all that `RodEquilibrium` knows is to be had directly: ``positions``,
     ``frames``, ``K``, ``force``, ``moment``, ``tip`` and so on.

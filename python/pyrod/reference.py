@@ -65,7 +65,7 @@ class Case:
 
     @property
     def first_edges(self) -> int | None:
-        """Edges to begin with if a tolerance is given; None: those that `solve` chooses."""
+        """Edges to begin with if a tolerance is given; None: those that `pyrod.solve` chooses."""
         return notes.first_edges(str(self), self.found_alone)
 
     @property
@@ -106,7 +106,7 @@ class Case:
         return at if varies else at(0.0)
 
     def scene(self, edges: int | None, space: Space | None = None) -> Scene:
-        """The case on equal edges (None: those that `solve` chooses).
+        """The case on equal edges (None: those that `pyrod.solve` chooses).
 
         In the simplest of its spaces unless another is named.
         Raises `NotPossible` for what this version does not know.
