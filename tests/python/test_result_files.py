@@ -136,10 +136,10 @@ def test_a_file_is_whole_or_as_it_was(
 
 
 REFUSED: list[tuple[Callable[[pyrod.Equilibrium, Path], None], type[Exception], str]] = [
-    (lambda e, p: e.save(p / "x.abc"), ValueError, r"x.abc: .* Equilibrium, one of .npz, .json"),
+    (lambda e, p: e.save(p / "x.abc"), ValueError, r"x.abc: .* for Equilibrium one of .npz, .json"),
     (lambda e, p: e.save(p / "x"), ValueError, "the suffix tells the format"),
-    (lambda e, p: e.save(p / "x.toml"), ValueError, "format of a Equilibrium"),
-    (lambda e, p: e.scene.save(p / "x.csv"), ValueError, r"Scene, one of .toml, .json"),
+    (lambda e, p: e.save(p / "x.toml"), ValueError, "for Equilibrium one of"),
+    (lambda e, p: e.scene.save(p / "x.csv"), ValueError, r"for Scene one of .toml, .json"),
     (lambda e, p: pyrod.save("text", p / "x.toml"), TypeError, "got a str"),
     (lambda e, p: e.save(p / "x.csv", solid=True), TypeError, r"solid: .csv .* options: none"),
     (lambda e, p: e.save(p / "x.stl", colour_by="s"), TypeError, r"options: sides"),

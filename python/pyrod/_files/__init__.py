@@ -80,7 +80,7 @@ def _writer(kind: type[Scene] | type[Equilibrium], path: Path) -> Callable[..., 
     known = _SCENES if issubclass(kind, Scene) else _RESULTS
     if path.suffix not in known:
         raise ValueError(
-            f"{path}: the suffix tells the format of a {kind.__name__}, one of {', '.join(known)}"
+            f"{path}: the suffix tells the format, for {kind.__name__} one of {', '.join(known)}"
         )
     return known[path.suffix]
 
