@@ -14,8 +14,8 @@ from pyrod._critical import Critical, critical_load
 from pyrod._effects import Effect, effect, out_of_plane_index
 from pyrod._energy import Energy
 from pyrod._files import load, save
+from pyrod._folders import get_cmake_dir, get_include
 from pyrod._many import solve_many
-from pyrod._paths import get_cmake_dir, get_include
 from pyrod._planarity import Planarity, is_planar
 from pyrod._solve import solve
 from pyrod._sweep import Sweep, sweep

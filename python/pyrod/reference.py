@@ -18,8 +18,8 @@ import numpy as np
 
 from pyrod import _reference_notes as notes
 from pyrod._along import Model
+from pyrod._folders import folder as _installed
 from pyrod._immutable import Array
-from pyrod._paths import folder as _installed
 from pyrod.equilibrium import Equilibrium
 from pyrod.loads import DistributedForce, DistributedMoment, Force, Load, Moment
 from pyrod.rod import Rod

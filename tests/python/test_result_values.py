@@ -13,8 +13,8 @@ from support import ROUND
 import pyrod
 from pyrod import Clamp, Rod, Scene
 from pyrod._fields import KINDS, field
-from pyrod._measure import measure
-from pyrod._swept import swept
+from pyrod._pictures.measure import measure
+from pyrod._pictures.swept import swept
 
 pytest_plugins = ["shared_results"]
 

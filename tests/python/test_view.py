@@ -12,8 +12,8 @@ from support import uninstall
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Hinge, Joint, Material, Rod, Scene, Section
 from pyrod._fields import KINDS, field
-from pyrod._swept import swept
-from pyrod._view import scene
+from pyrod._pictures.swept import swept
+from pyrod._pictures.view import scene
 
 pyvista = pytest.importorskip("pyvista", reason="pictures in space need pyvista")
 

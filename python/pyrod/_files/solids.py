@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from pyrod._measure import measure
 from pyrod._optional import need
-from pyrod._swept import Swept, swept
+from pyrod._pictures.measure import measure
+from pyrod._pictures.swept import Swept, swept
 from pyrod.equilibrium import Equilibrium
 
 

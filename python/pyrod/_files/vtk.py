@@ -11,7 +11,7 @@ import numpy as np
 
 from pyrod._fields import KINDS, fields
 from pyrod._immutable import Array
-from pyrod._swept import swept
+from pyrod._pictures.swept import swept
 from pyrod.equilibrium import Equilibrium
 
 _TYPES = {"float64": "Float64", "int64": "Int64", "uint8": "UInt8"}

@@ -8,8 +8,8 @@ import numpy as np
 
 from pyrod._fields import KINDS, field
 from pyrod._immutable import Array
-from pyrod._measure import symbol_of
 from pyrod._optional import need
+from pyrod._pictures.measure import symbol_of
 
 if TYPE_CHECKING:
     from pyrod.equilibrium import Equilibrium, RodEquilibrium

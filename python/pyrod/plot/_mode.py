@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pyrod._displaced import mode_displacements
+from pyrod._pictures.displaced import mode_displacements
 from pyrod.plot._shape import draw_lines, new_axes
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pyrod._box import box
 from pyrod._immutable import Array
-from pyrod._measure import Measure, measure
 from pyrod._optional import need
+from pyrod._pictures.box import box
+from pyrod._pictures.measure import Measure, measure
 from pyrod.rotation import conjugate, rotate
 
 if TYPE_CHECKING:

@@ -9,10 +9,10 @@ import numpy as np
 
 from pyrod._fields import field
 from pyrod._immutable import Array
-from pyrod._measure import measure
 from pyrod._optional import need
+from pyrod._pictures.measure import measure
+from pyrod._pictures.swept import Swept, swept
 from pyrod._places import on_rod
-from pyrod._swept import Swept, swept
 
 if TYPE_CHECKING:
     from pyrod.equilibrium import Equilibrium, RodEquilibrium

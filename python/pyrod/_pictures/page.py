@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pyrod._box import box
 from pyrod._immutable import Array
-from pyrod._measure import measure, measures
 from pyrod._optional import need
-from pyrod._swept import Swept, swept
+from pyrod._pictures.box import box
+from pyrod._pictures.measure import measure, measures
+from pyrod._pictures.swept import Swept, swept
 
 if TYPE_CHECKING:
     from pyrod.equilibrium import Equilibrium

@@ -54,7 +54,7 @@ class Pictures:
         ------
         ImportError : pyvista is not installed: ``pip install 'pyrod[view]'``.
         """
-        from pyrod._view import solid
+        from pyrod._pictures.view import solid
 
         return solid(self._drawn, sides)
 
@@ -90,7 +90,7 @@ class Pictures:
         ValueError : an unknown quantity.
         ImportError : pyvista is not installed: ``pip install 'pyrod[view]'``.
         """
-        from pyrod._view import show
+        from pyrod._pictures.view import show
 
         return show(self._drawn, colour_by, frames, off_screen, screenshot, sides, size)
 
@@ -111,6 +111,6 @@ class Pictures:
         ValueError : an unknown quantity.
         ImportError : plotly is not installed: ``pip install 'pyrod[html]'``.
         """
-        from pyrod._html import write_html
+        from pyrod._pictures.page import write_html
 
         write_html(self._drawn, path, colour_by, sides)
