@@ -208,6 +208,7 @@ def test_ctrl_c_stops_a_long_solve(scene: Path) -> None:
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # also in the background
     )
     assert run.stdout is not None
     assert run.stdout.readline().startswith("energy")  # it is at work
