@@ -1,6 +1,7 @@
 #!/bin/sh
-# Installs the Debian packages that building pyrod needs and this machine lacks; with the argument
-# "test" also the browser in which the tests open pages. (They go without, where there is none.)
+# Installs the Debian packages that pyrod needs and this machine lacks: to be built, and to draw with
+# VTK where there is no display. With the argument "test" also the browser in which the tests open
+# pages. (They go without, where there is none.)
 # Each need is checked by itself, so that anything provided otherwise is left alone.
 set -eu
 
@@ -26,6 +27,10 @@ header() { # looks where CMake would look
   )
 }
 
+library() { /sbin/ldconfig -p | grep -q "$1"; }
+
+mesa_driver() { ls /usr/lib/*/dri/swrast_dri.so /usr/lib/*/libgallium-*.so | grep -q so; }
+
 missing=
 need() { # need PACKAGE CHECK...
   package=$1
@@ -44,6 +49,8 @@ check() {
   need libeigen3-dev header Eigen/Core
   need libsuitesparse-dev header cholmod.h
   need doctest-dev header doctest/doctest.h
+  need libegl1 library libEGL.so.1
+  need libgl1-mesa-dri mesa_driver
   if [ "${1:-}" = test ] && grep -qs '^ID=debian' /etc/os-release; then # Ubuntu's is a snap
     need chromium program chromium
     need chromium-driver program chromedriver

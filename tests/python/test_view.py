@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from support import uninstall
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Hinge, Joint, Material, Rod, Scene, Section
 from pyrod._fields import KINDS, field
+from pyrod._pictures import view
 from pyrod._pictures.swept import swept
 from pyrod._pictures.view import scene
 
@@ -253,3 +255,18 @@ def test_without_pyvista_the_remedy_is_told(
     for picture in (bent.show, bent.to_pyvista):
         with pytest.raises(ImportError, match=r"pip install 'pyrod\[view\]'"):
             picture()
+
+
+def test_where_vtk_would_crash_it_is_told(
+    bent: pyrod.Equilibrium, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """A Python that dies takes the place of one whose VTK does."""
+    dies = tmp_path / "python"
+    dies.write_text("#!/bin/sh\nkill -SEGV $$\n")
+    dies.chmod(0o755)
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.setattr(sys, "executable", str(dies))
+    view.check_drawing_without_display.cache_clear()
+    with pytest.raises(RuntimeError, match="apt-get install libegl1"):
+        bent.show(screenshot=tmp_path / "rod.png")
+    assert not (tmp_path / "rod.png").exists()

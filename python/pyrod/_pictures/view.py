@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -57,6 +61,8 @@ def show(
 ) -> Any:
     """Opens a window, or makes an image without one; see `Equilibrium.show`."""
     hidden = off_screen or screenshot is not None
+    if hidden and sys.platform.startswith("linux") and "DISPLAY" not in os.environ:
+        check_drawing_without_display()
     with need("pyvista", "view").vtk_verbosity("error"):  # VTK warns that there is no display
         plotter = scene(result, colour_by, frames, hidden, sides, size)
         if not hidden:
@@ -65,6 +71,24 @@ def show(
         image = plotter.screenshot(None if screenshot is None else str(screenshot))
         plotter.close()
     return image
+
+
+@cache
+def check_drawing_without_display() -> None:
+    """Refuses where VTK would end the program, as it does without EGL or its drivers: tried out in
+    another one.
+
+    Raises
+    ------
+    RuntimeError : it did; with what may be missing.
+    """
+    need("pyvista", "view")
+    code = "import pyvista; pyvista.Plotter(off_screen=True).screenshot()"
+    if subprocess.run([sys.executable, "-c", code], capture_output=True).returncode != 0:
+        raise RuntimeError(
+            "VTK cannot draw on this machine, which has no display, without EGL and a driver for "
+            "it: apt-get install libegl1 libgl1-mesa-dri, or the like"
+        )
 
 
 def scene(
