@@ -73,6 +73,11 @@ def between_edges(values: Array) -> Array:
     return np.concatenate([v[:1], (v[:-1] + v[1:]) / 2, v[-1:]])
 
 
+def longest(vectors: Array) -> float:
+    """The largest Euclidean norm of the rows."""
+    return float(np.linalg.norm(vectors, axis=1).max())
+
+
 def field(rod: RodEquilibrium, name: str) -> Field:
     """One quantity of a rod.
 

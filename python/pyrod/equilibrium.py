@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from pyrod import _core
+from pyrod._fields import longest
 from pyrod._immutable import Array, Immutable, Lazy
 from pyrod._pictures import Pictures
 from pyrod._savable import Savable
@@ -243,8 +244,8 @@ class Equilibrium(Pictures, Savable, Lazy, Immutable):
             forces.append(reaction.force)
             at = self._support_position(support)
             moments += [np.cross(at, reaction.force), reaction.moment]
-        force = _size(forces) + max(_largest(rod.force) for rod in self.rods)
-        moment = _size(moments) + max(_largest(rod.moment) for rod in self.rods)
+        force = _size(forces) + max(longest(rod.force) for rod in self.rods)
+        moment = _size(moments) + max(longest(rod.moment) for rod in self.rods)
         length = max(rod.rod.length for rod in self.rods)
         return (
             _size([np.sum(forces, axis=0)]) / (force or 1.0),
@@ -275,10 +276,6 @@ _ROD_FIELDS = frozenset(RodEquilibrium.__dataclass_fields__)
 
 def _direction(vector: Array) -> str:
     return "({:.3g}, {:.3g}, {:.3g})".format(*vector / np.linalg.norm(vector))
-
-
-def _largest(vectors: Array) -> float:
-    return float(np.linalg.norm(vectors, axis=1).max())
 
 
 def _size(vectors: list[Array]) -> float:

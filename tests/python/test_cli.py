@@ -169,6 +169,9 @@ def test_a_wrong_scene_file_is_told_with_its_line(scene: Path) -> None:
         (("sweep", "scene.toml", "loads.0.frce.0=1"), "frce"),
         (("sweep", "scene.toml", "loads.0.force.0=1", "-j", "-1"), "jobs"),
         (("sweep", "scene.toml", "loads.0.force.0=1", "-o", "table.xls"), ".csv"),
+        (("sweep", "scene.toml", "loads.0.force.0=1", "-o", "nowhere/table.csv"), "nowhere"),
+        (("sweep", "scene.toml", "loads.0.force.0=1", "loads.0.force.0=2"), "twice"),
+        (("demo", "nowhere/picture.png"), "nowhere"),
         (("check", "Q*"), "Q*"),
         (("info", "none.npz"), "none.npz"),
         (("frobnicate",), "frobnicate"),
@@ -182,6 +185,8 @@ def test_wrong_input_is_told_in_a_line(
     assert run.stderr.startswith("pyrod: error: ")
     assert message in run.stderr
     assert "Traceback" not in run.stderr
+    assert "cases/s" not in run.stderr  # it is told before any work
+    assert " 1024 " not in run.stdout
 
 
 def test_no_equilibrium_has_an_exit_code_of_its_own(scene: Path) -> None:

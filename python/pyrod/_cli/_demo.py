@@ -16,6 +16,7 @@ import numpy as np
 import pyrod
 from pyrod import reference
 from pyrod._cli._output import Output
+from pyrod._files.atomic import check_place
 from pyrod._optional import need
 from pyrod.reference import Case
 
@@ -52,6 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace, output: Output) -> int:
     """Computes, prints, draws."""
     need("matplotlib", "plot").use("Agg")
+    check_place(args.picture)
     rows: list[dict[str, Any]] = []
     curves = table(output, rows)
     draw(curves, args.picture)

@@ -44,10 +44,15 @@ class Output:
         """Warnings are printed as lines on standard error, and told in the result."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            yield
-        for warning in caught:
-            self.warnings.append(str(warning.message))
-            print(f"pyrod: warning: {warning.message}", file=sys.stderr)
+            try:
+                yield
+            finally:  # also of what ends with an error
+                self._heed([str(warning.message) for warning in caught])
+
+    def _heed(self, messages: list[str]) -> None:
+        self.warnings += messages
+        for message in messages:
+            print(f"pyrod: warning: {message}", file=sys.stderr)
 
 
 def _plain(value: Any) -> Any:

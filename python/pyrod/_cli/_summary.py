@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
+from pyrod._fields import longest
 from pyrod._immutable import Array
 from pyrod.equilibrium import Equilibrium
 
@@ -29,9 +28,9 @@ def summary(result: Equilibrium) -> dict[str, Any]:
         "choice": result.choice,
         "edges": [rod.rod.edges for rod in result.rods],
         "tips": [rod.tip for rod in result.rods],
-        "largest_curvature": [_largest(rod.K) for rod in result.rods],
-        "largest_force": [_largest(rod.vertex_force) for rod in result.rods],
-        "largest_moment": [_largest(rod.moment) for rod in result.rods],
+        "largest_curvature": [longest(rod.K) for rod in result.rods],
+        "largest_force": [longest(rod.vertex_force) for rod in result.rods],
+        "largest_moment": [longest(rod.moment) for rod in result.rods],
         "reactions": [
             {"support": type(support).__name__, "force": r.force, "moment": r.moment}
             for support, r in zip(result.scene.supports, result.reactions, strict=True)
@@ -67,10 +66,6 @@ def lines(result: Equilibrium) -> Iterator[str]:
     for reaction in told["reactions"]:
         force, moment = _vector(reaction["force"]), _vector(reaction["moment"])
         yield f"{reaction['support']:12s} exerts {force} N, {moment} N m"
-
-
-def _largest(vectors: Array) -> float:
-    return float(np.linalg.norm(vectors, axis=1).max())
 
 
 def _vector(values: Array) -> str:

@@ -85,6 +85,8 @@ def _number(text: str) -> int | float | str:
 def run(args: argparse.Namespace, output: Output) -> int:
     """Solves, prints a table, writes it; 1 if all cases failed."""
     entries = dict(args.entries)
+    if len(entries) < len(args.entries):
+        raise ValueError("entries: one is given twice; put its values together, with commas")
     if args.jobs < 0:
         raise ValueError(f"jobs: must not be negative, got {args.jobs}")
     if args.output is not None:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod._fields import longest
 from pyrod._sweep.cases import RESERVED
 from pyrod.equilibrium import Equilibrium
 
@@ -17,7 +18,7 @@ Measure = Callable[[Equilibrium], Mapping[str, Any]]
 def summary(result: Equilibrium) -> dict[str, Any]:
     """The numbers that are kept unless others are asked for; see `sweep`."""
     largest = {
-        f"largest_{name}": max(_longest(getattr(rod, name)) for rod in result.rods)
+        f"largest_{name}": max(longest(getattr(rod, name)) for rod in result.rods)
         for name in ("K", "force", "moment")
     }
     kept = {
@@ -33,10 +34,6 @@ def summary(result: Equilibrium) -> dict[str, Any]:
     if result.accuracy is not None:
         kept["estimated_error"] = result.accuracy.reached
     return kept
-
-
-def _longest(vectors: Any) -> float:
-    return float(np.linalg.norm(vectors, axis=1).max())
 
 
 def plain(values: Any, arguments: Mapping[str, Any]) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from pyrod._files.atomic import check_place, replacing
 from pyrod._immutable import Immutable, sealed
 from pyrod._optional import need
 from pyrod._sweep.cases import Cases
@@ -127,7 +128,8 @@ class Sweep(Immutable):
         ValueError : it has another suffix.
         """
         check_table(path)
-        self.to_pandas().to_csv(path)
+        with replacing(Path(path)) as temporary:
+            self.to_pandas().to_csv(temporary)
 
     def __repr__(self) -> str:
         parts = [f"{len(self)} cases"]
@@ -141,9 +143,10 @@ class Sweep(Immutable):
 
 
 def check_table(path: str | PathLike[str]) -> None:
-    """Refuses files that are no table."""
+    """Refuses paths at which no table can be, before there is one."""
     if Path(path).suffix != ".csv":
         raise ValueError(f"path: a sweep is saved as .csv, got {str(path)!r}")
+    check_place(Path(path))
 
 
 def _filled(values: list[Any]) -> list[Any]:
