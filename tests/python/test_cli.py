@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ import pytest
 
 import pyrod
 from pyrod import reference
+from pyrod._cli._output import Output
 
 pytestmark = pytest.mark.outside
 
@@ -204,6 +206,19 @@ def test_errors_are_objects_for_programs(tmp_path: Path) -> None:
     assert run.returncode == WRONG
     assert error["kind"] == "wrong_input"
     assert "none.toml" in error["message"]
+
+
+def test_warnings_of_what_fails_then_are_told(capsys: pytest.CaptureFixture[str]) -> None:
+    output = Output(json=True)
+
+    def doubtful() -> None:
+        warnings.warn("odd", pyrod.StrainWarning, stacklevel=1)
+        raise OSError
+
+    with pytest.raises(OSError, match=r"^$"), output.heeding():
+        doubtful()
+    assert output.warnings == ["odd"]
+    assert capsys.readouterr().err == "pyrod: warning: odd\n"
 
 
 def test_ctrl_c_stops_a_long_solve(scene: Path) -> None:

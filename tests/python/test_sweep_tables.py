@@ -70,6 +70,20 @@ def test_parameters_may_be_anything() -> None:
     assert listed["direction"].dims == ("case", "direction_0")
 
 
+def test_a_table_that_cannot_be_written_leaves_what_was_there(
+    grid: pyrod.Sweep, tmp_path: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def half(self: pd.DataFrame, path: Any) -> None:
+        path.write_text("case,load")
+        raise OSError("disk is full")
+
+    (tmp_path / "grid.csv").write_text("before")
+    monkeypatch.setattr(pd.DataFrame, "to_csv", half)
+    with pytest.raises(OSError, match="disk is full"):
+        grid.save(tmp_path / "grid.csv")
+    assert [(p.name, p.read_text()) for p in tmp_path.iterdir()] == [("grid.csv", "before")]
+
+
 def test_a_table_is_saved_with_all_digits(grid: pyrod.Sweep, tmp_path: Any) -> None:
     grid.save(tmp_path / "grid.csv")
     back = pd.read_csv(tmp_path / "grid.csv", index_col="case", keep_default_na=False)
