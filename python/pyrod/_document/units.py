@@ -92,7 +92,10 @@ def _in_si(number: Decimal, unit: str, dimension: Dimension) -> float:
         raise Misread(f'unknown unit "{unit}", expected {_wanted(dimension)}') from error
     if kind != registry.parse_units(dimension.unit).dimensionality:
         raise Misread(f'expected {_wanted(dimension)}; "{unit}" is {_kind(registry, kind)}')
-    return float(registry.Quantity(number, units).to(dimension.unit).magnitude)
+    try:
+        return float(registry.Quantity(number, units).to(dimension.unit).magnitude)
+    except (ValueError, TypeError) as error:  # decibels and their like
+        raise Misread(f'expected {_wanted(dimension)}; "{unit}" is on another scale') from error
 
 
 def _kind(registry: Any, kind: Any) -> str:
