@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job.hpp"
+#include "solvers.hpp"
 
 #include <pyrod/rod/refinement.hpp>
-#include <pyrod/statics/cantilever_levels.hpp>
-#include <pyrod/statics/network_levels.hpp>
 
 #include <mutex>
 
@@ -12,10 +11,6 @@ namespace pyrod::bind {
 namespace {
 
 using Start = std::optional<NetworkStart>;
-
-/// One level of a climb, whatever the scene is.
-using Level = std::function<SceneSolution(int level, bool from_below, const Start&, const Options&,
-                                          const NetworkOptions&, const Trace&)>;
 
 /// What Python makes of a level.
 class Source {
@@ -81,30 +76,6 @@ Network<Spatial> halved(Network<Spatial> network, const std::vector<GridLoads>& 
   }
   for (auto& a : network.attachments) a.vertex <<= level;
   return network;
-}
-
-using LoadedLevel = std::function<LoadedRod(int level)>;
-
-template <class Space, class Model>
-Level cantilever_level(const LoadedLevel& loaded, const Clamp& clamp) {
-  auto levels = std::make_shared<CantileverLevels<Space, Model>>(loaded, clamp);
-  return [levels, clamp](int level, bool from_below, const Start& start, const Options& options,
-                         const NetworkOptions&, const Trace& trace) {
-    const auto frames = start ? restricted<Space>(start->frames, clamp.frame)
-                              : std::vector<typename Space::Rotation>{};
-    return levels->solve(level, from_below, frames, options, trace);
-  };
-}
-
-using PlacedLevel = std::function<PlacedNetwork(int level)>;
-
-template <class Space>
-Level network_level(const PlacedLevel& placed) {
-  auto levels = std::make_shared<NetworkLevels<Space>>(placed);
-  return [levels](int level, bool from_below, const Start& start, const Options& options,
-                  const NetworkOptions& more, const Trace& trace) {
-    return levels->solve(level, from_below, start, options, more, trace);
-  };
 }
 
 /// `make`: gives the rod and the loads of a level above 0; none: edges are halved.

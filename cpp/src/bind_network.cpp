@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job.hpp"
-
-#include <pyrod/statics/network_run.hpp>
+#include "solvers.hpp"
 
 namespace pyrod::bind {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job.hpp"
+#include "solvers.hpp"
 
 namespace pyrod::bind {
 

@@ -5,6 +5,8 @@
 #include <pyrod/rotation/embedding.hpp>
 #include <pyrod/statics/cantilever.hpp>
 
+#include <concepts>
+
 namespace pyrod {
 
 enum class Dimension { planar, spatial };
@@ -149,10 +151,12 @@ Solution<Spatial> solve(const Rod<Spatial>& rod, const Clamp& clamp, const Loads
   return placed(scene.solve(restricted<Space>(start, clamp.frame), options, trace), clamp);
 }
 
-inline Solution<Spatial> solve(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
-                               const Clamp& clamp, const Loads<Spatial>& loads,
-                               const std::vector<Quaternion>& start = {},
-                               const Options& options = {}, const Trace& trace = {}) {
+/// The same with space and model chosen at run time. A template, so that only who calls it compiles
+/// the six solvers.
+template <std::same_as<Spatial> S>
+Solution<S> solve(const Rod<S>& rod, Dimension dimension, ModelKind model, const Clamp& clamp,
+                  const Loads<S>& loads, const std::vector<Quaternion>& start = {},
+                  const Options& options = {}, const Trace& trace = {}) {
   return in_space(dimension, [&]<class Space>(Space) {
     return with_model(model, [&]<class Model>(Model) {
       return solve<Space, Model>(rod, clamp, loads, start, options, trace);

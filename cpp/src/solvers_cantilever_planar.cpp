@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers.hpp"
+
+namespace pyrod {
+
+PYROD_CANTILEVER_SOLVERS(, Planar, Cosserat)
+PYROD_CANTILEVER_SOLVERS(, Planar, ExtensibleKirchhoff)
+PYROD_CANTILEVER_SOLVERS(, Planar, InextensibleKirchhoff)
+
+}  // namespace pyrod

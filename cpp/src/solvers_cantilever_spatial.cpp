@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers.hpp"
+
+namespace pyrod {
+
+PYROD_CANTILEVER_SOLVERS(, Spatial, Cosserat)
+PYROD_CANTILEVER_SOLVERS(, Spatial, ExtensibleKirchhoff)
+PYROD_CANTILEVER_SOLVERS(, Spatial, InextensibleKirchhoff)
+
+}  // namespace pyrod

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solvers.hpp"
+
+namespace pyrod {
+
+PYROD_NETWORK_SOLVERS(, Spatial)
+
+}  // namespace pyrod
