@@ -2,11 +2,16 @@
 /// \file What all bindings share: NumPy arrays to and from the library's vectors, checked.
 #pragma once
 
-#include <pyrod/pyrod.hpp>
+#include <pyrod/core/require.hpp>
+#include <pyrod/rotation/measure.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
 
 #include <span>
 #include <string>

@@ -2,6 +2,8 @@
 #include "job.hpp"
 #include "solvers.hpp"
 
+#include <pyrod/rod/section.hpp>
+
 namespace pyrod::bind {
 
 namespace {

@@ -2,6 +2,10 @@
 #include "bind.hpp"
 #include "curve.hpp"
 
+#include <pyrod/rod/energy.hpp>
+#include <pyrod/rod/refinement.hpp>
+#include <pyrod/scene/choice.hpp>
+
 #include <algorithm>
 
 namespace pyrod::bind {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bind.hpp"
 
+#include <pyrod/rod/section.hpp>
+
 namespace pyrod::bind {
 
 void section(py::module_& module) {

@@ -3,7 +3,7 @@
 
 #include "bind.hpp"
 
-#include <optional>
+#include <pyrod/curve/cosserat.hpp>
 
 namespace pyrod::bind {
 

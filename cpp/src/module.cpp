@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bind.hpp"
 
+#include <pyrod/core/dispatch.hpp>
+
+#include <Eigen/Core>
+#include <cholmod.h>
+
+#include <sstream>
+
 namespace pyrod::bind {
 
 /// What the module was made with and runs on.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file The softest mode of a saddle, by inverse iteration.
+/// \file The softest modes of a saddle, by inverse iteration, and an index that they confirm.
 #pragma once
 
-#include <pyrod/solve/multipliers.hpp>
-#include <pyrod/sparse/cholesky.hpp>
+#include <pyrod/solve/shifted_factor.hpp>
+
+#include <Eigen/Eigenvalues>
 
 namespace pyrod {
 
@@ -13,25 +14,64 @@ struct Mode {
   Vector shape;
 };
 
-/// K v = λ M v on the constraints, with the eigenvalue nearest to −σ. `factor` is that of K + σ M.
-inline Mode inverse_iteration(const SymmetricMatrix& K, Cholesky& factor, const Vector& weights,
-                              const Multipliers& multipliers, double σ, int steps) {
+/// K v = λ diag(weights) v on the constraints, with the eigenvalue nearest to −σ; `factor` is that
+/// of K + σ diag(weights). `exact`: without what the factor always adds.
+inline Mode inverse_iteration(ShiftedFactor& factor, const Vector& weights, double σ, int steps,
+                              bool exact) {
+  const auto& K = factor.matrix();
   Mode mode;
   Vector v = Vector::LinSpaced(K.size(), 0.3, 1.7).array().sin(), Kv(v.size());
-  multipliers.set(0, v);
+  factor.multipliers().set(0, v);
   for (int i = 0; i < steps; ++i) {
     const double before = mode.eigenvalue;
     Kv = weights.cwiseProduct(v);
     factor.solve(Kv, v);
+    if (exact) factor.correct(Kv, v);
     v /= std::sqrt(v.cwiseProduct(v).dot(weights));
     K.multiply(v, Kv);
     mode.eigenvalue = v.dot(Kv);
     if (i > 3 && std::abs(mode.eigenvalue - before) <= 1e-10 * (std::abs(mode.eigenvalue) + σ))
       break;
   }
-  multipliers.set(0, v);
+  factor.multipliers().set(0, v);
   mode.shape = v / v.lpNorm<Eigen::Infinity>();
   return mode;
+}
+
+/// The number of eigenvalues of K v = λ diag(stiffness) v on the constraints below −`zero`. Pivots
+/// count those far from zero; those within `near`, which a shift or rounding might move to the
+/// other side, are computed: Rayleigh quotients of K itself, in the space of their modes.
+inline int confirmed_index(ShiftedFactor& factor, double zero = 1e-6, double near = 1e-4) {
+  factor.factorise(-near);
+  const int up_to = factor.index();
+  factor.factorise(near);
+  const int below = factor.index(), count = up_to - below, most = 12;
+  if (factor.broken() || count <= 0 || count > most) return std::max(below, 0);
+  const auto& K = factor.matrix();
+  const auto& U = factor.stiffness();
+  Eigen::MatrixXd X = Eigen::MatrixXd::Zero(K.size(), count + 2), KX = X;
+  for (int k = 0; k < X.cols(); ++k) {
+    X.col(k) = Vector::LinSpaced(K.size(), 0.3 + k, 1.7 + (k + 1) * (k + 1)).array().sin();
+    for (const int row : factor.multipliers().rows()) X(row, k) = 0;
+  }
+  Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
+  Vector b, x;
+  for (int i = 0; i < 10; ++i) {
+    for (int k = 0; k < X.cols(); ++k) {
+      b = U.cwiseProduct(X.col(k));
+      factor.solve(b, x);
+      factor.correct(b, x);
+      X.col(k) = x / std::sqrt(x.cwiseProduct(x).dot(U));
+      K.multiply(X.col(k), b);
+      KX.col(k) = b;
+    }
+    ritz.compute(X.transpose() * KX, X.transpose() * U.asDiagonal() * X);
+    if (ritz.info() != Eigen::Success) return std::max(below, 0);
+    X = (X * ritz.eigenvectors()).eval();
+  }
+  int negative = below;
+  for (const double λ : ritz.eigenvalues()) negative += λ < -zero && λ > -near;
+  return negative;
 }
 
 }  // namespace pyrod

@@ -11,8 +11,9 @@ namespace pyrod {
 
 class Multipliers {
  public:
-  /// Those of the matrix K whose weight is zero.
-  Multipliers(const SymmetricMatrix& K, const Vector& weights) {
+  /// Those of the matrix K whose weight is zero, each with its unit.
+  Multipliers(const SymmetricMatrix& K, const Vector& weights, const Vector& units)
+      : units_(units) {
     const auto is_one = [&](int i) { return weights[i] == 0; };
     for (int k = 0; k < K.size(); ++k) {
       if (is_one(k)) rows_.push_back(k);
@@ -31,14 +32,16 @@ class Multipliers {
     for (const int k : rows_) to[k] = from[k];
   }
 
+  /// Of gaps in their units, an energy.
   double squared_norm(const Vector& v) const {
     double sum = 0;
-    for (const int k : rows_) sum += v[k] * v[k];
+    for (const int k : rows_) sum += v[k] * v[k] / units_[k];
     return sum;
   }
+  /// Of gaps, relative to their units.
   double largest(const Vector& v) const {
     double out = 0;
-    for (const int k : rows_) out = std::max(out, std::abs(v[k]));
+    for (const int k : rows_) out = std::max(out, std::abs(v[k]) / units_[k]);
     return out;
   }
 
@@ -49,6 +52,7 @@ class Multipliers {
 
  private:
   std::vector<int> rows_, columns_;
+  Vector units_;
 };
 
 }  // namespace pyrod

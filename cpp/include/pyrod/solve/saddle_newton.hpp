@@ -27,13 +27,17 @@ class SaddleNewton {
         options_(options),
         trace_(std::move(trace)),
         weights_(problem.weights()),
+        units_(problem.units()),
+        softness_(problem.softness()),
         here_(problem.linearisation()),
-        multipliers_(here_.hessian, weights_),
-        factor_(here_.hessian),
+        factor_(here_.hessian, problem.stiffness(), units_),
+        multipliers_(factor_.multipliers()),
         δ_(Vector::Zero(here_.gradient.size())),
         primal_(δ_),
         dual_(δ_),
-        trial_(δ_) {
+        trial_(δ_),
+        sizes_(Vector::Ones(δ_.size())),
+        rounding_(δ_) {
     options_.check();
   }
   SaddleNewton(const SaddleNewton&) = delete;
@@ -58,53 +62,67 @@ class SaddleNewton {
     return result;
   }
 
-  /// The lowest eigenvalue λ of K v = λ M v on the constraints, and its mode, at the state that was
-  /// solved for last. By inverse iteration behind a shift at which the inertia says that no
-  /// eigenvalue is left below; the shift is halved towards it.
+  /// The lowest eigenvalue λ of K v = λ M v on the constraints, M the weights, and its mode, at
+  /// the state that was solved for last. By inverse iteration behind a shift at which the inertia
+  /// says that no eigenvalue is left below; the shift is halved towards it.
   Mode lowest_mode() {
     double above = 0;
-    factorise(0);
-    if (index() > 0) {
+    factor_.factorise(0, weights_);
+    if (factor_.index() > 0) {
       double below = 0;
-      for (above = problem_.unit_energy(); factorise(above), index() > 0; above *= 4) below = above;
+      for (above = problem_.unit_energy(); unstable_behind(above); above *= 4) below = above;
       for (int i = 0; i < 12; ++i) {
         const double middle = (below + above) / 2;
-        factorise(middle);
-        (index() > 0 ? below : above) = middle;
+        (unstable_behind(middle) ? below : above) = middle;
       }
-      factorise(above);
+      factor_.factorise(above, weights_);
     }
-    return inverse_iteration(here_.hessian, factor_, weights_, multipliers_, above, 100);
+    return inverse_iteration(factor_, weights_, above, 100, above > 0);
   }
 
   /// Whether the state that was solved for last can move without any change of energy, to first
   /// sight: two inverse iterations bring out a mode whose eigenvalue is that of the shift. With
   /// that mode.
   std::optional<Mode> neutral_mode() {
-    factorise(0);
-    if (inertia_.broken > 0) return std::nullopt;
-    const Mode mode = inverse_iteration(here_.hessian, factor_, weights_, multipliers_, 0, 2);
-    if (!(std::abs(mode.eigenvalue) < 3e-6 * problem_.unit_energy())) return std::nullopt;
+    factor_.factorise(0);
+    if (factor_.broken()) return std::nullopt;
+    const Mode mode = inverse_iteration(factor_, factor_.stiffness(), 0, 2, false);
+    if (!(std::abs(mode.eigenvalue) < 3 * ShiftedFactor::always)) return std::nullopt;
     return mode;
   }
 
-  /// Entries of the factor over those of the matrix: the fill.
-  double fill() const {
-    return double(factor_.factor_entries()) / double(here_.hessian.rows.size());
+  /// The step that rounding of the gradient may ask for, at the state that was solved for last: what
+  /// turns and multipliers are uncertain by.
+  const Vector& rounding_step() {
+    trial_ = rounding_here();
+    for (int k = 1; k < int(trial_.size()); k += 2) trial_[k] *= -1;
+    factor_.factorise(0);
+    factor_.solve(trial_, δ_);
+    return δ_;
   }
+
+  /// Entries of the factor over those of the matrix: the fill.
+  double fill() const { return factor_.fill(); }
 
  private:
   /// Whether steps lead downhill on the constraints.
-  bool downhill() const { return problem_.conservative() && (minimum_ || index() == 0); }
-  int index() const { return inertia_.negative - multipliers_.count(); }
+  bool downhill() const { return problem_.conservative() && (minimum_ || factor_.index() == 0); }
+
   /// The last factor is of the state before the last step, whose multipliers may have been others.
-  int final_index() { return factorise(0), index(); }
+  int final_index() {
+    factor_.factorise(0);
+    if (!factor_.broken() && factor_.index() == 0) return 0;
+    return confirmed_index(factor_);
+  }
+  bool unstable_behind(double λ) { return factor_.factorise(λ, weights_), factor_.index() > 0; }
   double residual() const { return largest(here_.gradient); }
   static double largest(const Vector& v) { return v.template lpNorm<Eigen::Infinity>(); }
 
   void linearise() {
     problem_.linearise(x_, curvature_, here_);
-    factorised_.reset();
+    problem_.multiplier_sizes(x_, sizes_);
+    factor_.renew(softness_, sizes_);
+    rounding_.resize(0);
   }
 
   void split_step() {
@@ -114,8 +132,8 @@ class SaddleNewton {
 
   /// The multipliers' part of a step that the gaps of the constraints do not ask for.
   void estimate_multipliers() {
-    factorise(problem_.unit_energy());
-    if (multipliers_.count() == 0 || inertia_.broken > 0) return;
+    factor_.factorise(1);
+    if (multipliers_.count() == 0 || factor_.broken()) return;
     trial_ = -here_.gradient;
     multipliers_.set(0, trial_);
     factor_.solve(trial_, δ_);
@@ -128,20 +146,21 @@ class SaddleNewton {
   Status iterate(Result<State>& result) {
     if (!std::isfinite(here_.energy)) return Status::not_finite;
     double before = std::numeric_limits<double>::infinity();  // the step
+    int reopened = 0;  // times that the last step left a gap
     while (result.iterations() < options_.max_iterations) {
       Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
       const bool exact = curvature_ == Curvature::exact;
-      const bool tiny =
-          exact && !now.shift && now.step <= options_.tolerance && met() && accurate();
+      const bool tiny = exact && !has_shift(now) && now.step <= options_.tolerance && met() &&
+                        settled(now) && accurate();
       // where a mode is soft, steps still improve on a residual that could be rounding
-      const bool rounded = exact && now.residual <= problem_.rounding();
-      const bool last = tiny || (rounded && now.step > before / 2);
-      const bool found = last && !tiny ? true : search(now, tiny) || rounded;
+      const bool at_rounding = exact && rounded();
+      const bool last = tiny || (at_rounding && now.step > before / 2);
+      const bool found = last && !tiny ? true : search(now, tiny) || at_rounding;
       before = now.step;
       result.record.push_back(now);
       const bool go_on = !trace_ || trace_(now);
-      if (last) return Status::converged;
+      if (last && (closed() || reopened++ == 2)) return Status::converged;
       if (!found) return Status::stalled;
       if (!std::isfinite(here_.energy)) return Status::not_finite;
       if (!go_on) return Status::interrupted;
@@ -149,56 +168,68 @@ class SaddleNewton {
     return Status::out_of_iterations;
   }
 
+  static bool has_shift(const Iteration& now) { return now.shift != 0; }
+
   /// δ, of which the primal part may be cut and the multipliers are always taken whole.
   bool find_step(Iteration& now) {
     factorise(0, now);
     const bool potential = problem_.conservative();
-    if (std::isfinite(now.step) && curvature_ == Curvature::exact && !potential) {
-      correct(x_, δ_);
-      split_step();
-      now.step = largest(primal_);
-    }
+    if (std::isfinite(now.step) && curvature_ == Curvature::exact && (!potential || falls_short(now)))
+      correct_step(now);
     if (std::isfinite(now.step) &&
-        (!potential || !minimum_ || index() == 0 || now.step <= options_.tolerance ||
-         now.residual <= problem_.rounding()))
+        (!potential || !minimum_ || factor_.index() == 0 || now.step <= options_.tolerance ||
+         rounded()))
       return true;
-    double σ = 1e-3 * problem_.unit_energy();
+    double σ = 1e-3;
     for (int i = 0; i < 40; ++i, σ *= 4) {
       factorise(σ, now);
-      if (std::isfinite(now.step) && index() == 0) return true;
+      if (std::isfinite(now.step) && factor_.index() == 0) return true;
     }
     return false;
   }
 
-  /// Overwrites v = K⁻¹ b by what the tangent at x, which is not symmetric, gives for it.
-  void correct(const State& x, Vector& v) {
-    const auto skew = [&](const Vector& a, Vector& out) { problem_.multiply_skew(x, a, out); };
-    SkewCorrected(factor_, skew, v.size()).correct(v);
+  /// Whether what the factor always adds is felt: near the end by a mode so soft that it holds back
+  /// the step, or by gaps that stay open; before, by gaps alone.
+  bool falls_short(const Iteration& now) {
+    const bool last = now.step <= options_.tolerance;
+    for (const int k : multipliers_.rows())
+      if (std::abs(factor_.left(δ_, k)) > (last ? 0.1 * rounding_here()[k] : 1e-4 * units_[k]))
+        return true;
+    if (now.step > 1e-2) return false;
+    double left = 0, asked = 0;
+    for (int k = 0; k < int(δ_.size()); ++k) {
+      left = std::max(left, std::abs(factor_.left(δ_, k)) / units_[k]);
+      asked = std::max(asked, std::abs(here_.gradient[k]) / units_[k]);
+    }
+    return left > 0.1 * asked && !rounded();
   }
 
-  /// δ = −(K + σ M)⁻¹ g, M the weights.
+  /// The step of the true system.
+  void correct_step(Iteration& now) {
+    if (problem_.conservative())
+      factor_.correct(-here_.gradient, δ_);
+    else
+      correct(x_, δ_);
+    split_step();
+    now.step = δ_.allFinite() ? largest(primal_) : std::numeric_limits<double>::infinity();
+  }
+
+  /// Overwrites v = K⁻¹ b by what the tangent at x, which is not symmetric, gives for it.
+  void correct(const State& x, Vector& v) {
+    factor_.correct([&](const Vector& a, Vector& out) { problem_.multiply_skew(x, a, out); }, v);
+  }
+
+  /// δ = −(K + σ U)⁻¹ g, U the stiffness.
   void factorise(double σ, Iteration& now) {
-    factorise(σ);
+    factor_.factorise(σ);
     ++now.factorisations;
-    now.shift = σ;
+    now.shift = σ * problem_.unit_energy();
     now.step = std::numeric_limits<double>::infinity();
-    if (inertia_.broken > 0) return;
+    if (factor_.broken()) return;
     factor_.solve(here_.gradient, δ_);
     δ_ = -δ_;
     split_step();
     if (δ_.allFinite()) now.step = largest(primal_);
-  }
-
-  /// Besides σ there is always a shift far below what matters: it keeps the factorisation from
-  /// breaking where a part turns freely (primal rows), or cannot stretch and is straight
-  /// (multipliers).
-  void factorise(double σ) {
-    if (factorised_ == σ) return;
-    const double unit = problem_.unit_energy();
-    shift_ = (σ + 1e-6 * unit) * weights_;
-    multipliers_.set(-1e-10 * unit, shift_);
-    inertia_ = factor_.factorise(here_.hessian, shift_);
-    factorised_ = σ;
   }
 
   /// Whether the step does what the system asks of it. On the constraints by themselves, too: where
@@ -212,8 +243,44 @@ class SaddleNewton {
       problem_.multiply_skew(x_, δ_, skew);
       left += skew;
     }
-    return largest(left) <= 1e-2 * residual() + problem_.rounding() &&
-           multipliers_.largest(left) <= 1e-2 * std::sqrt(gap()) + problem_.rounding();
+    const Vector& rounding = rounding_here();
+    const double all = 1e-2 * relative(here_.gradient), gaps = 1e-2 * multipliers_.largest(here_.gradient);
+    for (int k = 0; k < int(left.size()); ++k) {
+      const double bound = units_[k] * (weights_[k] == 0 ? std::min(all, gaps) : all);
+      if (!(std::abs(left[k]) <= bound + rounding[k])) return false;
+    }
+    return true;
+  }
+
+  /// Largest row in its unit.
+  double relative(const Vector& v) const {
+    return v.cwiseQuotient(units_).template lpNorm<Eigen::Infinity>();
+  }
+
+  /// Whether every row of the gradient could be rounding.
+  bool rounded() {
+    return (here_.gradient.array().abs() <= rounding_here().array()).all();
+  }
+
+  const Vector& rounding_here() {
+    if (rounding_.size() == 0) problem_.rounding(x_, rounding_);
+    return rounding_;
+  }
+
+  /// The multipliers are not about to change much, or nothing turns.
+  bool settled(const Iteration& now) const {
+    if (now.step <= 1e-3 * options_.tolerance) return true;
+    for (const int k : multipliers_.rows())
+      if (!(std::abs(δ_[k]) <= 1e-3 * sizes_[k])) return false;
+    return true;
+  }
+
+  /// No gap is left after the last step but rounding.
+  bool closed() {
+    const Vector& rounding = rounding_here();
+    for (const int k : multipliers_.rows())
+      if (!(std::abs(here_.gradient[k]) <= 1e-13 * units_[k] + 8 * rounding[k])) return false;
+    return true;
   }
 
   /// The augmented Lagrangian along the step, with multipliers that are new already: its value and
@@ -230,15 +297,15 @@ class SaddleNewton {
     for (const int k : multipliers_.rows()) {
       const double g = here_.gradient[k];
       value += δ_[k] * (g + change[k] / 2);
-      gap += (g + change[k]) * (g + change[k]);
+      gap += (g + change[k]) * (g + change[k]) / units_[k];
     }
     const double slope = here_.gradient.dot(primal_) + change.dot(primal_);
-    const double ν = std::max(10 / problem_.unit_energy(), gap > 0 ? 2 * slope / gap : 0.);
+    const double ν = std::max(10., gap > 0 ? 2 * slope / gap : 0.);
     return {value + ν / 2 * gap, slope - ν * gap, ν};
   }
 
   /// The constraints hold so well that the multipliers are not about to change much.
-  bool met() const { return std::sqrt(gap()) <= 1e-6 * problem_.unit_energy(); }
+  bool met() const { return multipliers_.largest(here_.gradient) <= 1e-6; }
   double gap() const { return multipliers_.squared_norm(here_.gradient); }
 
   bool search(Iteration& now, bool tiny) {
@@ -259,7 +326,7 @@ class SaddleNewton {
       const double value = here_.energy + before.ν / 2 * gap();
       if (downhill() && value <= before.value + 1e-4 * now.fraction * before.slope + rounding)
         return true;
-      if (now.shift == 0 && (contracts(now, length) || settles(now))) return true;
+      if (!has_shift(now) && (contracts(now, length) || settles(now))) return true;
     }
     std::swap(x_, from_);
     linearise();
@@ -285,15 +352,14 @@ class SaddleNewton {
   bool minimum_;
   Options options_;
   Trace trace_;
-  Vector weights_;
+  Vector weights_, units_, softness_;
   LinearisationOf<P> here_;
-  Multipliers multipliers_;
-  Cholesky factor_;
-  Inertia inertia_;
-  std::optional<double> factorised_;  ///< the shift with which `here_` is factorised
+  ShiftedFactor factor_;
+  const Multipliers& multipliers_;
   State x_, from_;
   Vector δ_, primal_, dual_;  ///< the step, without the multipliers, and of these alone
-  Vector trial_, shift_;
+  Vector trial_;
+  Vector sizes_, rounding_;  ///< of the multipliers; of the gradient
   Curvature curvature_ = Curvature::convex;
 };
 

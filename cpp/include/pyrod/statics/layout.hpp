@@ -30,25 +30,46 @@ class Layout : public KnownForces<Space> {
   int first_node_block() const { return first_node_block_; }
   const std::vector<int>& sizes() const { return sizes_; }
   const std::vector<std::vector<int>>& above() const { return above_; }
-  double unit_length() const { return length_; }
-  double unit_force() const { return force_; }
-  double unit_moment() const { return length_ * force_; }
+  /// The length of the free directions of a node: that of the longest rod on it.
+  double unit_length(int node) const { return node_length_[node]; }
+  /// EI/L² of a span, the length of its open directions.
+  double unit_force(int span) const { return span_moment_[span] / span_length_[span]; }
+  /// EI/L of a span, of a rod, and of all rods in the geometric mean.
+  double span_moment(int span) const { return span_moment_[span]; }
+  double span_length(int span) const { return span_length_[span]; }
+  double rod_moment(int rod) const { return rod_moment_[rod]; }
+  double unit_moment() const { return moment_; }
 
  private:
   using Base::hinges_, Base::hinged_, Base::edges_at;
   using Base::net_, Base::spans_, Base::attached_, Base::has_frame_, Base::derived_;
 
+  /// Each part is measured by itself: what is stiff or long elsewhere does not count.
   void set_units() {
     double stiffness = 0, length = 0;
-    int count = 0;
+    std::vector<double> bending;  // geometric means
     for (const auto& rod : net_.rods) {
+      double sum = 0;
+      for (const auto& C : rod.bending) sum += std::log(C.maxCoeff());
+      bending.push_back(std::exp(sum / double(rod.bending.size())));
+      rod_moment_.push_back(bending.back() / rod.grid.length());
+      stiffness += sum / double(rod.bending.size());
       length = std::max(length, rod.grid.length());
-      for (const auto& C : rod.bending) stiffness += std::log(C.maxCoeff()), ++count;
     }
-    length_ = length;
-    force_ = std::exp(stiffness / count) / (length * length);
-    for (auto& span : spans_) span.open *= force_;
-    for (auto& node : net_.nodes) node.free *= length_;
+    moment_ = std::exp(stiffness / double(net_.rods.size())) / length;
+    node_length_.assign(net_.nodes.size(), 0);
+    for (auto& span : spans_) {
+      const auto& grid = net_.rods[span.rod].grid;
+      span_length_.push_back(grid.s(span.last) - grid.s(span.first));
+      span_moment_.push_back(bending[span.rod] / span_length_.back());
+      for (const int v : {span.start, span.end})
+        node_length_[v] = std::max(node_length_[v], grid.length());
+    }
+    for (int p = 0; p < int(spans_.size()); ++p) spans_[p].open *= unit_force(p);
+    for (std::size_t v = 0; v < net_.nodes.size(); ++v) {
+      if (node_length_[v] == 0) node_length_[v] = length;  // no rod is there
+      net_.nodes[v].free *= node_length_[v];
+    }
   }
 
   /// Span by span along each rod: the frames, then the force, so that nothing of it fills the
@@ -143,7 +164,8 @@ class Layout : public KnownForces<Space> {
   std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_, sizes_;
   std::vector<std::vector<int>> above_;
   int first_node_block_ = 0;
-  double length_ = 1, force_ = 1;
+  std::vector<double> span_moment_, span_length_, rod_moment_, node_length_;
+  double moment_ = 1;
 };
 
 }  // namespace pyrod

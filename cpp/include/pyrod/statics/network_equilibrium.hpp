@@ -18,7 +18,8 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
 
   explicit NetworkEquilibrium(const Layout<Space>& layout) : Base(layout) {
     weigh_rows();
-    find_rounding();
+    find_units();
+    find_softness();
   }
 
   Storage linearisation() const {
@@ -62,8 +63,43 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
 
   /// Share of each unknown in the length of the rods; zero for multipliers.
   const Vector& weights() const { return weights_; }
+  /// EI/L of the rod of each frame, of the softest rod at a node, and of the span of a multiplier.
+  const Vector& units() const { return units_; }
+  /// What the bending of each frame's own rod gives it; zero for multipliers.
+  const Vector& stiffness() const { return stiffness_; }
+  /// Where a span can neither stretch nor shear, and for rounding elsewhere.
+  const Vector& softness() const { return softness_; }
   double unit_energy() const { return layout_.unit_moment(); }
-  double rounding() const { return rounding_; }
+
+  /// 1 + n L²/EI of the spans, in the rows of their multipliers.
+  void multiplier_sizes(const State& x, Vector& out) const {
+    Acting changed;
+    const Acting& now = acting(x, changed);
+    for (int p = 0; p < int(layout_.spans().size()); ++p)
+      if (const int b = layout_.spans()[p].block; b >= 0)
+        out.segment(first_[b], layout_.sizes()[b]).setConstant(1 + force_size(x, now, p));
+  }
+
+  /// Turns carry errors of a few ulp, which the stiffest cell and the force make moments of; a
+  /// span's reach is the sum of its edges, and so long.
+  void rounding(const State& x, Vector& out) const {
+    constexpr double ε = 16 * std::numeric_limits<double>::epsilon();
+    out.setZero(weights_.size());
+    Acting changed;
+    const Acting& now = acting(x, changed);
+    double most = 0;
+    for (int p = 0; p < int(layout_.spans().size()); ++p) {
+      const auto& span = layout_.spans()[p];
+      const double n = force_size(x, now, p), unit = layout_.span_moment(p);
+      const double edge = unit * n / (span.last - span.first), row = ε * (stiffest_[span.rod] + edge);
+      most = std::max(most, row);
+      out.segment(first_row(layout_.edge(span.rod, span.first)), spin * (span.last - span.first))
+          .setConstant(row);
+      if (span.block >= 0)
+        out.segment(first_[span.block], layout_.sizes()[span.block]).setConstant(ε * unit);
+    }
+    for (int k = first_[layout_.first_node_block()]; k < first_.back(); ++k) out[k] = most;
+  }
 
  private:
   using Base::acting, Base::add_energy, Base::add_to_rows;
@@ -86,13 +122,65 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
         if (b >= 0) weights_.segment(first_[b], layout_.sizes()[b]).setConstant(least);
   }
 
-  /// Turns carry errors of a few ulp, and the stiffest cell makes moments of them.
-  void find_rounding() {
-    double stiffest = 0;
-    for (const auto& rod : net_.rods)
-      for (int j = 0; j < int(rod.bending.size()); ++j)
-        stiffest = std::max(stiffest, rod.bending[j].maxCoeff() / rod.grid.Δs(j));
-    rounding_ = 16 * std::numeric_limits<double>::epsilon() * stiffest;
+  void find_units() {
+    units_ = Vector::Constant(first_.back(), layout_.unit_moment());
+    stiffness_ = Vector::Zero(first_.back());
+    std::vector<double> at_node(net_.nodes.size(), std::numeric_limits<double>::infinity());
+    for (int p = 0; p < int(layout_.spans().size()); ++p) {
+      const auto& span = layout_.spans()[p];
+      const double unit = layout_.rod_moment(span.rod);
+      const auto& grid = net_.rods[span.rod].grid;
+      for (int j = span.first; j < span.last; ++j) {
+        const int row = first_row(layout_.edge(span.rod, j));
+        units_.segment<spin>(row).setConstant(unit);
+        stiffness_.segment<spin>(row).setConstant(unit * grid.h(j) / grid.length());
+      }
+      if (span.block >= 0)
+        units_.segment(first_[span.block], layout_.sizes()[span.block])
+            .setConstant(layout_.span_moment(p));
+      for (const int v : {span.start, span.end}) at_node[v] = std::min(at_node[v], unit);
+    }
+    const double share = weights_.sum() / double(spin * layout_.edges());
+    const auto set = [&](int block, int v) {
+      if (block < 0 || !std::isfinite(at_node[v])) return;
+      units_.segment(first_[block], layout_.sizes()[block]).setConstant(at_node[v]);
+    };
+    for (int v = 0; v < int(net_.nodes.size()); ++v)
+      set(layout_.turn_block(v), v), set(layout_.place_block(v), v);
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+      for (const auto& a : layout_.attached(rod))
+        if (a.hinge) set(layout_.hinge_block(a.hinge_number), a.node);
+    for (int k = first_[layout_.first_node_block()]; k < first_.back(); ++k)
+      stiffness_[k] = share * units_[k];
+  }
+
+  /// A span that gives way along itself needs none, or next to none. One that does not can be
+  /// straight, so that to first order nothing gives.
+  void find_softness() {
+    softness_ = Vector::Zero(first_.back());
+    for (int p = 0; p < int(layout_.spans().size()); ++p) {
+      const auto& span = layout_.spans()[p];
+      if (span.block < 0) continue;
+      const auto& rod = net_.rods[span.rod];
+      double give = 0;
+      for (int j = span.first; j < span.last; ++j)
+        give += rod.grid.h(j) / rod.stretching[j][dim - 1];
+      const double unit = layout_.span_moment(p), force = layout_.unit_force(p);
+      const bool gives = give * force * force >= 1e-14 * unit;
+      softness_.segment(first_[span.block], layout_.sizes()[span.block])
+          .setConstant((gives ? 1e-16 : 1e-10) * unit);
+    }
+    stiffest_.assign(net_.rods.size(), 0);
+    for (std::size_t i = 0; i < net_.rods.size(); ++i)
+      for (int j = 0; j < int(net_.rods[i].bending.size()); ++j)
+        stiffest_[i] = std::max(stiffest_[i],
+                                net_.rods[i].bending[j].maxCoeff() / net_.rods[i].grid.Δs(j));
+  }
+
+  /// The largest section force of a span over its unit.
+  double force_size(const State& x, const Acting& now, int p) const {
+    const Point<Space> first = x.forces[p] + now.known[p];
+    return std::max(first.norm(), (first - now.drop[p]).norm()) / layout_.unit_force(p);
   }
 
   template <Curvature kind>
@@ -164,8 +252,8 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
     if constexpr (spin == 1) out.energy -= m[0] * q.radians;
   }
 
-  Vector weights_;
-  double rounding_ = 0;
+  Vector weights_, units_, stiffness_, softness_;
+  std::vector<double> stiffest_;  ///< of the cells of each rod [N m]
 };
 
 }  // namespace pyrod

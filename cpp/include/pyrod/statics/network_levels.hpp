@@ -23,7 +23,8 @@ class NetworkLevels {
   /// One level of a climb: from the level below if that was solved, else from `start`, on level 0,
   /// or from nothing.
   SceneSolution solve(int level, bool from_below, const std::optional<NetworkStart>& start,
-                      const Options& options, const NetworkOptions& more, const Trace& trace) {
+                      const Options& options, NetworkOptions more, const Trace& trace) {
+    more.rounding = true;
     const auto [network, plane] = source_(level);
     begin(level, from_below, start);
     auto out = scene_solution(run<Space>(network, plane, start_, options, more, trace));

@@ -41,6 +41,7 @@ class NetworkSkew : public NetworkLoads<Space> {
 
   /// Of the unknowns that turn the frame of an edge.
   int first_row(int edge) const { return first_[layout_.frame_block(edge)]; }
+  int first_row_of(int block) const { return first_[block]; }
   const Compliance<Space, Cosserat>& compliance(int edge) const { return compliance_[edge]; }
 
  protected:

@@ -12,6 +12,12 @@
 
 namespace pyrod {
 
+/// By how much rounding may move an equilibrium: where members are stiff along themselves it makes
+/// large forces of small gaps.
+struct Rounding {
+  double turn = 0, force = 0, moment = 0;  ///< [rad], [N], [N m]
+};
+
 /// How a solve of a network went.
 template <class Space>
 struct NetworkResult {
@@ -27,12 +33,14 @@ struct NetworkResult {
   bool neutral = false;           ///< it can move along `mode` without a change of energy
   std::vector<Spin<Space>> mode;  ///< of the edges, material [rad]; if asked for, or neutral
   double lowest_eigenvalue = 0;   ///< if it was asked for, [N m]: of ∫ |φ|² ds/L
+  Rounding rounding;              ///< if it was asked for
   std::vector<Iteration> record;
 };
 
 struct NetworkOptions {
   bool stable = true;       ///< look for a minimum: leave saddles along their unstable modes
   bool eigenvalue = false;  ///< find the lowest eigenvalue at the solution
+  bool rounding = false;    ///< tell what rounding may do
 };
 
 template <class Space>
@@ -112,7 +120,26 @@ class NetworkSolver {
     out_.unknowns = int(problem.weights().size());
     out_.multipliers = int((problem.weights().array() == 0).count());
     out_.conservative = problem.conservative();
-    if (&layout == fine_.get() && converged() && out_.conservative) look_at_modes(problem, newton);
+    if (&layout != fine_.get() || !converged()) return;
+    if (more_.rounding) out_.rounding = rounding(problem, newton);
+    if (out_.conservative) look_at_modes(problem, newton);
+  }
+
+  Rounding rounding(const Problem& problem, SaddleNewton<Problem>& newton) const {
+    const Vector& step = newton.rounding_step();
+    Rounding out;
+    for (int e = 0; e < fine_->edges(); ++e)
+      out.turn = std::max(out.turn, step.template segment<Space::spin>(problem.first_row(e))
+                                        .template lpNorm<Eigen::Infinity>());
+    for (int p = 0; p < int(fine_->spans().size()); ++p) {
+      const auto& span = fine_->spans()[p];
+      if (span.block < 0) continue;
+      const double force =
+          (span.open * step.segment(problem.first_row_of(span.block), span.open.cols())).norm();
+      out.force = std::max(out.force, force);
+      out.moment = std::max(out.moment, force * fine_->span_length(p));
+    }
+    return out;
   }
 
   void look_at_modes(const Problem& problem, SaddleNewton<Problem>& newton) {

@@ -29,7 +29,8 @@ class NetworkSpans : public NetworkCells<Space> {
   void set_span(const State& x, const Acting& now, int p, Storage& out) const {
     const auto& span = layout_.spans()[p];
     const Part part{&span, &net_.rods[span.rod], now.vertices[span.rod].data(),
-                    layout_.edge(span.rod, 0), first_row(layout_.edge(span.rod, span.first))};
+                    layout_.edge(span.rod, 0), first_row(layout_.edge(span.rod, span.first)),
+                    layout_.unit_force(p)};
     clear_ends(part, out);
     Batch batch;
     batch.n[0] = x.forces[p] + now.known[p];
@@ -52,6 +53,7 @@ class NetworkSpans : public NetworkCells<Space> {
     const Rod<Space>* rod;
     const Point<Space>* load;  ///< on the vertices of the rod
     int edge, row;             ///< number of edge 0; first row of the span
+    double unit;               ///< of its force
     int row_of(int j) const { return row + spin * (j - span->first); }
   };
 
@@ -62,9 +64,10 @@ class NetworkSpans : public NetworkCells<Space> {
     std::array<typename Space::Differential, capacity> dlog;
   };
 
-  /// Σ h R Γ, and Σ h R S Rᵀ, of which the upper triangle.
+  /// Σ h R Γ, what is left of it without strains by itself, so that small strains are not rounded
+  /// to the length; and Σ h R S Rᵀ, of which the upper triangle.
   struct Reach {
-    Point<Space> sum = Point<Space>::Zero();
+    Point<Space> rigid = Point<Space>::Zero(), strained = Point<Space>::Zero();
     Mat<dim> give = Mat<dim>::Zero();
   };
 
@@ -140,7 +143,7 @@ class NetworkSpans : public NetworkCells<Space> {
                               const Batch& batch, Reach& sum, Storage& out) const {
     const auto columns = out.hessian.columns(first_[part.span->block]);
     const Eigen::Matrix<double, dim, open> C = part.span->open;
-    const double unit = layout_.unit_force();
+    const double unit = part.unit;
     std::array<double*, open> to;
     for (int k = 0; k < open; ++k) to[k] = columns[k] + spin * (first - part.span->first);
     for (int j = first; j < end; ++j) {
@@ -149,10 +152,11 @@ class NetworkSpans : public NetworkCells<Space> {
       const Point<Space> S = compliance_[part.edge + j].diagonal(),
                          b = R.transpose() * batch.n[j - first],
                          Γ = axis<Space>() + S.cwiseProduct(b);
-      const Point<Space> hS = h * S, hΓ = h * Γ;
+      const Point<Space> hS = h * S;
+      sum.rigid += h * R.col(dim - 1);
       for (int k = 0; k < dim; ++k) {
-        sum.sum += hΓ[k] * R.col(k);
         const Point<Space> r = hS[k] * R.col(k);
+        sum.strained += b[k] * r;
         for (int l = 0; l < dim; ++l)
           for (int i = 0; i <= l; ++i) sum.give(i, l) += r[i] * R(l, k);
       }
@@ -185,7 +189,7 @@ class NetworkSpans : public NetworkCells<Space> {
     const auto& span = layout_.spans()[p];
     const Point<Space> apart = x.positions[span.end] - x.positions[span.start];
     const int row = first_[span.block], open = int(span.open.cols());
-    out.gradient.segment(row, open) = span.open.transpose() * (apart - reach.sum);
+    out.gradient.segment(row, open) = span.open.transpose() * (apart - reach.rigid - reach.strained);
     const Mat<dim> give = reach.give.template selfadjointView<Eigen::Upper>();
     const auto to = out.hessian.columns(row);
     for (int k = 0; k < open; ++k)

@@ -17,6 +17,7 @@ struct SceneSolution {
   bool neutral = false;
   std::vector<Vec3> mode;
   double lowest_eigenvalue = 0;
+  Rounding rounding;
   std::vector<Iteration> record;
 
   bool converged() const { return status == Status::converged; }
@@ -50,6 +51,7 @@ SceneSolution scene_solution(NetworkRun<Space>&& from) {
                     r.neutral,
                     {},
                     r.lowest_eigenvalue,
+                    r.rounding,
                     std::move(from.result.record)};
   for (const auto& φ : r.mode) out.mode.push_back(embed_spin(φ));
   return out;

@@ -3,34 +3,12 @@
 #pragma once
 
 #include <pyrod/rotation/embedding.hpp>
+#include <pyrod/scene/choice.hpp>
 #include <pyrod/statics/cantilever.hpp>
 
 #include <concepts>
 
 namespace pyrod {
-
-enum class Dimension { planar, spatial };
-enum class ModelKind { cosserat, extensible, inextensible };
-
-/// f(Planar{}) or f(Spatial{}).
-template <class F>
-auto in_space(Dimension dimension, const F& f) {
-  return dimension == Dimension::planar ? f(Planar{}) : f(Spatial{});
-}
-
-/// f(Cosserat{}), f(ExtensibleKirchhoff{}) or f(InextensibleKirchhoff{}).
-template <class F>
-auto with_model(ModelKind model, const F& f) {
-  switch (model) {
-    case ModelKind::cosserat:
-      return f(Cosserat{});
-    case ModelKind::extensible:
-      return f(ExtensibleKirchhoff{});
-    case ModelKind::inextensible:
-      break;
-  }
-  return f(InextensibleKirchhoff{});
-}
 
 /// The planar rod in the a1–a3 plane, or the rod itself. What leaves the plane is refused.
 template <class Space>

@@ -50,7 +50,7 @@ class Start {
   void move_supports(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
     for (int v = 0; v < int(net_.nodes.size()); ++v) {
       const auto& node = net_.nodes[v];
-      const double unit = layout_.unit_length();  // the length of the free directions
+      const double unit = layout_.unit_length(v);  // the length of the free directions
       const Point<Space> place = (1 - λ) * from.positions[v] + λ * node.position;
       const Point<Space> missing = place - x.positions[v];
       x.positions[v] += missing - node.free * (node.free.transpose() * missing) / (unit * unit);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The factor of a saddle's matrix K with a little added to its diagonal, and solutions of K
+/// itself. It knows no rods.
+///
+/// LDLᵀ without pivoting breaks where a part turns freely (a primal row), or where nothing gives
+/// way to a multiplier. So there is always a shift D, far below what matters; what it leaves of
+/// K x = b, namely D x, is known without any work, and is taken away where it counts.
+#pragma once
+
+#include <pyrod/solve/multipliers.hpp>
+#include <pyrod/solve/skew_solver.hpp>
+#include <pyrod/sparse/cholesky.hpp>
+
+#include <limits>
+#include <optional>
+
+namespace pyrod {
+
+class ShiftedFactor {
+ public:
+  static constexpr double always = 1e-6;  ///< of the stiffness of the primal rows
+
+  /// `K` must stay where it is. `stiffness`: of the primal rows; multipliers have none.
+  ShiftedFactor(SymmetricMatrix& K, Vector stiffness, const Vector& units)
+      : K_(K),
+        stiffness_(std::move(stiffness)),
+        multipliers_(K, stiffness_, units),
+        factor_(K),
+        extra_(always * stiffness_) {}
+
+  const SymmetricMatrix& matrix() const { return K_; }
+  const Vector& stiffness() const { return stiffness_; }
+  const Multipliers& multipliers() const { return multipliers_; }
+
+  /// K has changed. `softness` over `sizes` is what multipliers give at the least.
+  void renew(const Vector& softness, const Vector& sizes) {
+    for (const int k : multipliers_.rows()) extra_[k] = -softness[k] / sizes[k];
+    factorised_.reset();
+  }
+
+  /// Factorises K + σ diag(stiffness) + D.
+  void factorise(double σ) {
+    if (factorised_ == σ) return;
+    factorise(σ, stiffness_);
+    factorised_ = σ;
+  }
+
+  /// Factorises K + λ diag(weights) + D.
+  void factorise(double λ, const Vector& weights) {
+    factorised_.reset();
+    added_ = λ * weights;
+    shift_ = added_ + extra_;
+    inertia_ = factor_.factorise(K_, shift_);
+  }
+
+  /// Negative eigenvalues on the constraints of what is factorised.
+  int index() const { return inertia_.negative - multipliers_.count(); }
+  bool broken() const { return inertia_.broken > 0; }
+
+  void solve(const Vector& b, Vector& x) { factor_.solve(b, x); }
+
+  /// What D leaves of row k of K x = b.
+  double left(const Vector& x, int k) const { return extra_[k] * x[k]; }
+
+  /// Overwrites x, which the factor gives for b, by the solution without D: by refinement, else
+  /// by GMRES.
+  void correct(const Vector& b, Vector& x) {
+    if (refined(b, x)) return;
+    factor_.solve(b, x);
+    correct([](const Vector& v, Vector& out) { out.setZero(v.size()); }, x);
+  }
+
+  /// The same of K + Z, where `skew(v, out)` gives Z v.
+  template <class Skew>
+  void correct(const Skew& skew, Vector& x) {
+    const auto difference = [&](const Vector& v, Vector& out) {
+      skew(v, out);
+      out -= extra_.cwiseProduct(v);
+    };
+    SkewCorrected(factor_, difference, x.size()).correct(x);
+  }
+
+  /// Entries of the factor over those of the matrix: the fill.
+  double fill() const { return double(factor_.factor_entries()) / double(K_.rows.size()); }
+
+ private:
+  /// Whether the residuals of K fell fast.
+  bool refined(const Vector& b, Vector& x) {
+    const auto size = [](const Vector& v) { return v.template lpNorm<Eigen::Infinity>(); };
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 12; ++i) {
+      K_.multiply(x, left_);
+      left_ += added_.cwiseProduct(x);
+      left_ = b - left_;
+      factor_.solve(left_, left_);
+      const double now = size(left_);
+      if (!(now <= 0.3 * before)) return i > 1 && now <= 1e-12 * size(x);
+      x += left_;
+      if (now <= 1e-16 * size(x)) return true;
+      before = now;
+    }
+    return true;
+  }
+
+  SymmetricMatrix& K_;
+  Vector stiffness_;
+  Multipliers multipliers_;
+  Cholesky factor_;
+  Inertia inertia_;
+  std::optional<double> factorised_;  ///< the σ with which K is factorised
+  Vector extra_;                      ///< D
+  Vector added_, shift_, left_;
+};
+
+}  // namespace pyrod
