@@ -38,10 +38,10 @@ concept Problem = requires(const P p, const typename P::State x, typename P::Sta
 /// A problem with constraints: its stationary points are saddles in the rows of the multipliers.
 template <class P>
 concept Constrained = Problem<P> && requires(const P p, const typename P::State x, Vector v) {
-  { p.multiplier_sizes(x, v) };  // v: 1 and more, multipliers over their units
-  { p.rounding(x, v) };          // v: what rounding alone leaves of the gradient
-  { p.weights() } -> std::convertible_to<Vector>;      // of the primal rows; multipliers: zero
-  { p.units() } -> std::convertible_to<Vector>;        // energies that the rows are measured by
+  { p.multiplier_sizes(x, v) };                    // v: 1 and more, multipliers over their units
+  { p.rounding(x, v) };                            // v: what rounding alone leaves of the gradient
+  { p.weights() } -> std::convertible_to<Vector>;  // of the primal rows; multipliers: zero
+  { p.units() } -> std::convertible_to<Vector>;    // energies that the rows are measured by
   { p.stiffness() } -> std::convertible_to<Vector>;    // of the primal rows, in their own units
   { p.softness() } -> std::convertible_to<Vector>;     // least give of the multipliers' rows
   { p.unit_energy() } -> std::convertible_to<double>;  // the scale of the whole

@@ -91,8 +91,8 @@ class SaddleNewton {
     return mode;
   }
 
-  /// The step that rounding of the gradient may ask for, at the state that was solved for last: what
-  /// turns and multipliers are uncertain by.
+  /// The step that rounding of the gradient may ask for, at the state that was solved for last:
+  /// what turns and multipliers are uncertain by.
   const Vector& rounding_step() {
     trial_ = rounding_here();
     for (int k = 1; k < int(trial_.size()); k += 2) trial_[k] *= -1;
@@ -146,7 +146,7 @@ class SaddleNewton {
   Status iterate(Result<State>& result) {
     if (!std::isfinite(here_.energy)) return Status::not_finite;
     double before = std::numeric_limits<double>::infinity();  // the step
-    int reopened = 0;  // times that the last step left a gap
+    int reopened = 0;                                         // times that the last step left a gap
     while (result.iterations() < options_.max_iterations) {
       Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
@@ -174,11 +174,11 @@ class SaddleNewton {
   bool find_step(Iteration& now) {
     factorise(0, now);
     const bool potential = problem_.conservative();
-    if (std::isfinite(now.step) && curvature_ == Curvature::exact && (!potential || falls_short(now)))
+    if (std::isfinite(now.step) && curvature_ == Curvature::exact &&
+        (!potential || falls_short(now)))
       correct_step(now);
-    if (std::isfinite(now.step) &&
-        (!potential || !minimum_ || factor_.index() == 0 || now.step <= options_.tolerance ||
-         rounded()))
+    if (std::isfinite(now.step) && (!potential || !minimum_ || factor_.index() == 0 ||
+                                    now.step <= options_.tolerance || rounded()))
       return true;
     double σ = 1e-3;
     for (int i = 0; i < 40; ++i, σ *= 4) {
@@ -188,23 +188,16 @@ class SaddleNewton {
     return false;
   }
 
-  /// Whether what the factor always adds is felt: near the end by a mode so soft that it holds back
-  /// the step, or by gaps that stay open; before, by gaps alone.
+  /// Whether gaps that a step leaves open, as multipliers give more than they should, are felt.
   bool falls_short(const Iteration& now) {
     const bool last = now.step <= options_.tolerance;
     for (const int k : multipliers_.rows())
       if (std::abs(factor_.left(δ_, k)) > (last ? 0.1 * rounding_here()[k] : 1e-4 * units_[k]))
         return true;
-    if (now.step > 1e-2) return false;
-    double left = 0, asked = 0;
-    for (int k = 0; k < int(δ_.size()); ++k) {
-      left = std::max(left, std::abs(factor_.left(δ_, k)) / units_[k]);
-      asked = std::max(asked, std::abs(here_.gradient[k]) / units_[k]);
-    }
-    return left > 0.1 * asked && !rounded();
+    return false;
   }
 
-  /// The step of the true system.
+  /// The step that leaves none.
   void correct_step(Iteration& now) {
     if (problem_.conservative())
       factor_.correct(-here_.gradient, δ_);
@@ -216,7 +209,8 @@ class SaddleNewton {
 
   /// Overwrites v = K⁻¹ b by what the tangent at x, which is not symmetric, gives for it.
   void correct(const State& x, Vector& v) {
-    factor_.correct([&](const Vector& a, Vector& out) { problem_.multiply_skew(x, a, out); }, v);
+    factor_.correct_skew([&](const Vector& a, Vector& out) { problem_.multiply_skew(x, a, out); },
+                         v);
   }
 
   /// δ = −(K + σ U)⁻¹ g, U the stiffness.
@@ -244,7 +238,8 @@ class SaddleNewton {
       left += skew;
     }
     const Vector& rounding = rounding_here();
-    const double all = 1e-2 * relative(here_.gradient), gaps = 1e-2 * multipliers_.largest(here_.gradient);
+    const double all = 1e-2 * relative(here_.gradient),
+                 gaps = 1e-2 * multipliers_.largest(here_.gradient);
     for (int k = 0; k < int(left.size()); ++k) {
       const double bound = units_[k] * (weights_[k] == 0 ? std::min(all, gaps) : all);
       if (!(std::abs(left[k]) <= bound + rounding[k])) return false;
@@ -258,9 +253,7 @@ class SaddleNewton {
   }
 
   /// Whether every row of the gradient could be rounding.
-  bool rounded() {
-    return (here_.gradient.array().abs() <= rounding_here().array()).all();
-  }
+  bool rounded() { return (here_.gradient.array().abs() <= rounding_here().array()).all(); }
 
   const Vector& rounding_here() {
     if (rounding_.size() == 0) problem_.rounding(x_, rounding_);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file The factor of a saddle's matrix K with a little added to its diagonal, and solutions of K
-/// itself. It knows no rods.
+/// \file The factor of a saddle's matrix K with a little added to its diagonal, and solutions as if
+/// nothing were added to the multipliers' rows. It knows no rods.
 ///
 /// LDLᵀ without pivoting breaks where a part turns freely (a primal row), or where nothing gives
-/// way to a multiplier. So there is always a shift D, far below what matters; what it leaves of
+/// way to a multiplier. So there is always a shift, far below what matters. What it gives the
+/// multipliers' rows, D, is no small thing where the true give is smaller still; what it leaves of
 /// K x = b, namely D x, is known without any work, and is taken away where it counts.
 #pragma once
 
@@ -26,7 +27,7 @@ class ShiftedFactor {
         stiffness_(std::move(stiffness)),
         multipliers_(K, stiffness_, units),
         factor_(K),
-        extra_(always * stiffness_) {}
+        soft_(Vector::Zero(stiffness_.size())) {}
 
   const SymmetricMatrix& matrix() const { return K_; }
   const Vector& stiffness() const { return stiffness_; }
@@ -34,22 +35,22 @@ class ShiftedFactor {
 
   /// K has changed. `softness` over `sizes` is what multipliers give at the least.
   void renew(const Vector& softness, const Vector& sizes) {
-    for (const int k : multipliers_.rows()) extra_[k] = -softness[k] / sizes[k];
+    for (const int k : multipliers_.rows()) soft_[k] = -softness[k] / sizes[k];
     factorised_.reset();
   }
 
-  /// Factorises K + σ diag(stiffness) + D.
+  /// Factorises K + (σ + always) diag(stiffness) + D.
   void factorise(double σ) {
     if (factorised_ == σ) return;
     factorise(σ, stiffness_);
     factorised_ = σ;
   }
 
-  /// Factorises K + λ diag(weights) + D.
+  /// Factorises K + λ diag(weights) + always diag(stiffness) + D.
   void factorise(double λ, const Vector& weights) {
     factorised_.reset();
-    added_ = λ * weights;
-    shift_ = added_ + extra_;
+    added_ = λ * weights + always * stiffness_;
+    shift_ = added_ + soft_;
     inertia_ = factor_.factorise(K_, shift_);
   }
 
@@ -59,23 +60,23 @@ class ShiftedFactor {
 
   void solve(const Vector& b, Vector& x) { factor_.solve(b, x); }
 
-  /// What D leaves of row k of K x = b.
-  double left(const Vector& x, int k) const { return extra_[k] * x[k]; }
+  /// What D leaves of a multiplier's row k of K x = b.
+  double left(const Vector& x, int k) const { return soft_[k] * x[k]; }
 
   /// Overwrites x, which the factor gives for b, by the solution without D: by refinement, else
   /// by GMRES.
   void correct(const Vector& b, Vector& x) {
     if (refined(b, x)) return;
     factor_.solve(b, x);
-    correct([](const Vector& v, Vector& out) { out.setZero(v.size()); }, x);
+    correct_skew([](const Vector& v, Vector& out) { out.setZero(v.size()); }, x);
   }
 
-  /// The same of K + Z, where `skew(v, out)` gives Z v.
+  /// The same of K + Z, where `skew(v, out)` gives Z v; by GMRES.
   template <class Skew>
-  void correct(const Skew& skew, Vector& x) {
+  void correct_skew(const Skew& skew, Vector& x) {
     const auto difference = [&](const Vector& v, Vector& out) {
       skew(v, out);
-      out -= extra_.cwiseProduct(v);
+      for (const int k : multipliers_.rows()) out[k] -= soft_[k] * v[k];
     };
     SkewCorrected(factor_, difference, x.size()).correct(x);
   }
@@ -94,7 +95,7 @@ class ShiftedFactor {
       left_ = b - left_;
       factor_.solve(left_, left_);
       const double now = size(left_);
-      if (!(now <= 0.3 * before)) return i > 1 && now <= 1e-12 * size(x);
+      if (!(now <= 0.3 * before)) return now <= 1e-12 * size(x);
       x += left_;
       if (now <= 1e-16 * size(x)) return true;
       before = now;
@@ -108,7 +109,7 @@ class ShiftedFactor {
   Cholesky factor_;
   Inertia inertia_;
   std::optional<double> factorised_;  ///< the σ with which K is factorised
-  Vector extra_;                      ///< D
+  Vector soft_;                       ///< D
   Vector added_, shift_, left_;
 };
 

@@ -91,7 +91,8 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
       const double n = force_size(x, now, p), unit = layout_.span_moment(p);
-      const double edge = unit * n / (span.last - span.first), row = ε * (stiffest_[span.rod] + edge);
+      const double edge = unit * n / (span.last - span.first),
+                   row = ε * (stiffest_[span.rod] + edge);
       most = std::max(most, row);
       out.segment(first_row(layout_.edge(span.rod, span.first)), spin * (span.last - span.first))
           .setConstant(row);
@@ -154,8 +155,8 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
       stiffness_[k] = share * units_[k];
   }
 
-  /// A span that gives way along itself needs none, or next to none. One that does not can be
-  /// straight, so that to first order nothing gives.
+  /// A span that gives way along itself needs none. One that does not can be straight, so that to
+  /// first order nothing gives.
   void find_softness() {
     softness_ = Vector::Zero(first_.back());
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
@@ -168,13 +169,13 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
       const double unit = layout_.span_moment(p), force = layout_.unit_force(p);
       const bool gives = give * force * force >= 1e-14 * unit;
       softness_.segment(first_[span.block], layout_.sizes()[span.block])
-          .setConstant((gives ? 1e-16 : 1e-10) * unit);
+          .setConstant(gives ? 0 : 1e-10 * unit);
     }
     stiffest_.assign(net_.rods.size(), 0);
     for (std::size_t i = 0; i < net_.rods.size(); ++i)
       for (int j = 0; j < int(net_.rods[i].bending.size()); ++j)
-        stiffest_[i] = std::max(stiffest_[i],
-                                net_.rods[i].bending[j].maxCoeff() / net_.rods[i].grid.Δs(j));
+        stiffest_[i] =
+            std::max(stiffest_[i], net_.rods[i].bending[j].maxCoeff() / net_.rods[i].grid.Δs(j));
   }
 
   /// The largest section force of a span over its unit.

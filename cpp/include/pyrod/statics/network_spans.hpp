@@ -28,8 +28,11 @@ class NetworkSpans : public NetworkCells<Space> {
   template <Curvature kind>
   void set_span(const State& x, const Acting& now, int p, Storage& out) const {
     const auto& span = layout_.spans()[p];
-    const Part part{&span, &net_.rods[span.rod], now.vertices[span.rod].data(),
-                    layout_.edge(span.rod, 0), first_row(layout_.edge(span.rod, span.first)),
+    const Part part{&span,
+                    &net_.rods[span.rod],
+                    now.vertices[span.rod].data(),
+                    layout_.edge(span.rod, 0),
+                    first_row(layout_.edge(span.rod, span.first)),
                     layout_.unit_force(p)};
     clear_ends(part, out);
     Batch batch;
@@ -189,7 +192,8 @@ class NetworkSpans : public NetworkCells<Space> {
     const auto& span = layout_.spans()[p];
     const Point<Space> apart = x.positions[span.end] - x.positions[span.start];
     const int row = first_[span.block], open = int(span.open.cols());
-    out.gradient.segment(row, open) = span.open.transpose() * (apart - reach.rigid - reach.strained);
+    out.gradient.segment(row, open) =
+        span.open.transpose() * (apart - reach.rigid - reach.strained);
     const Mat<dim> give = reach.give.template selfadjointView<Eigen::Upper>();
     const auto to = out.hessian.columns(row);
     for (int k = 0; k < open; ++k)
