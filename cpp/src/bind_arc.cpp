@@ -65,8 +65,9 @@ void bind_invariants(py::class_<HeldArc>& type) {
            [](const HeldArc& self) { return computed([&] { return turning_angles(self.arc); }); })
       .def(
           "binormals",
-          [](const HeldArc& self, double straight) {
-            return computed([&] { return binormals(self.arc, straight); });
+          [](const HeldArc& self, const Array& straight) {
+            const Vector angles = numbers(straight, "straight");
+            return computed([&] { return binormals(self.arc, angles); });
           },
           py::arg("straight"))
       .def(

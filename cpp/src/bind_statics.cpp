@@ -6,6 +6,16 @@ namespace pyrod::bind {
 
 namespace {
 
+template <class T>
+void assign(T& member, const py::handle& value, const char* name) {
+  try {
+    member = value.cast<T>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(text(name, ": expected a ", std::is_integral_v<T> ? "whole " : "",
+                              "number, got ", py::cast<std::string>(py::repr(value))));
+  }
+}
+
 /// Keyword constructor, attributes, repr and pickling of a struct that lists its fields.
 template <class T>
 void bind_fields(py::module_& module, const char* name, const char* doc) {
@@ -19,8 +29,7 @@ void bind_fields(py::module_& module, const char* name, const char* doc) {
     each([&](const auto& field) {
       if (!values.contains(field.name)) return;
       ++known;
-      auto& member = out.*field.member;
-      member = values[field.name].template cast<std::decay_t<decltype(member)>>();
+      assign(out.*field.member, values[field.name], field.name);
     });
     if (known != values.size()) {
       std::string names;
@@ -37,7 +46,10 @@ void bind_fields(py::module_& module, const char* name, const char* doc) {
     each([&](const auto& field) { values[field.name] = self.*field.member; });
     return values;
   };
-  type.def(py::init([from](const py::kwargs& values) { return from(values); }));
+  type.def(py::init([from, name](const py::args& given, const py::kwargs& values) {
+    if (!given.empty()) throw py::type_error(std::string(name) + ": give them by keyword");
+    return from(values);
+  }));
   each([&](const auto& field) { type.def_readonly(field.name, field.member, field.doc); });
   type.def("__repr__", [to_dict, name](const T& self) {
     std::string inside;

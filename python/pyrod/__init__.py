@@ -23,6 +23,7 @@ from pyrod.accuracy import Accuracy
 from pyrod.equilibrium import Equilibrium, Reaction, RodEquilibrium
 from pyrod.errors import (
     AccuracyWarning,
+    CurveWarning,
     NotConverged,
     SceneFileError,
     StrainWarning,
@@ -44,6 +45,7 @@ __all__ = [
     "Choice",
     "Clamp",
     "Critical",
+    "CurveWarning",
     "DistributedForce",
     "DistributedMoment",
     "Effect",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import Union, get_args
 
@@ -30,6 +30,8 @@ def stiffness(section: Sections, h: Array) -> tuple[Array, Array, Array, Model]:
         s = np.concatenate([[0.0], np.cumsum(h)])
         on_edges = [_checked(section(x)) for x in (s[1:] + s[:-1]) / 2]
         bending = np.array([_checked(section(x)).bending for x in s])
+    elif not isinstance(section, Iterable):
+        raise TypeError(f"section: expected a Section, got a {type(section).__name__}")
     else:
         on_edges = [_checked(one) for one in section]
         if len(on_edges) != len(h):
@@ -56,7 +58,7 @@ def outlines(section: Sections, h: Array) -> tuple[Ends, ...]:
 
 def masses(values: ArrayLike, edges: int) -> Array:
     """One mass per length for each edge."""
-    mass = frozen(values)
+    mass = frozen(values, "mass_per_length")
     if mass.shape not in ((), (edges,)):
         raise ValueError(
             f"mass_per_length: expected {edges} numbers, one per edge, got shape {mass.shape}"

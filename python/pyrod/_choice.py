@@ -7,13 +7,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from pyrod._arrays import number
 from pyrod._effects import MODELS, Of, Quantity, effect, on_its_grid, out_of_plane_index, rebuilt
 from pyrod._immutable import Array, Immutable
 from pyrod._planarity import is_planar
 from pyrod._solve import solve
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import NotConverged
-from pyrod.scene import Scene, Space
+from pyrod.scene import Scene, Space, checked_scene
 from pyrod.section import Model
 
 
@@ -50,6 +51,8 @@ def smallest_model(scene: Scene, tol: float, quantity: Quantity | None = None) -
     ------
     NotConverged : no equilibrium is found even in the richest model.
     """
+    checked_scene(scene)
+    tol = number(tol, "tol")
     if not tol > 0:
         raise ValueError(f"tol: must be positive, got {tol}")
     plane = is_planar(scene)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
+from pyrod._arrays import number
 from pyrod._core import Options
 from pyrod._effects import on_its_grid
 from pyrod._immutable import Array, Immutable
@@ -17,7 +18,7 @@ from pyrod._path import Kind, Loss, Path
 from pyrod._solve import solve
 from pyrod.equilibrium import Equilibrium
 from pyrod.rotation import as_frames
-from pyrod.scene import Scene
+from pyrod.scene import Scene, checked_scene
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -103,9 +104,11 @@ def critical_load(
     NotConverged : without the loads no equilibrium is found.
     RuntimeError : the equilibrium cannot be followed, or two grids do not agree.
     """
-    growing = _growing(scene, loads)
+    growing = _growing(checked_scene(scene), loads)
+    rtol = number(rtol, "rtol")
     if not 0 < rtol < 0.1:
         raise ValueError(f"rtol: must be in (0, 0.1), got {rtol}")
+    upper = None if upper is None else number(upper, "upper")
     if upper is not None and not (isfinite(upper) and upper > 0):
         raise ValueError(f"upper: must be positive and finite, got {upper}")
     guess = _hinged(scene, growing)
@@ -165,8 +168,8 @@ def _hinged(scene: Scene, growing: frozenset[int]) -> float:
     length = max(rod.length for rod in scene.rods)
     bending = min(rod.bending[:, :2].min() for rod in scene.rods)
     acting = tuple(_core.Loads(rod._rod) for rod in scene.rods)
-    for number in growing:
-        scene.loads[number]._apply(acting, scene.rods)
+    for load in growing:
+        scene.loads[load]._apply(acting, scene.rods)
     sizes = [_size(on, length) for on in acting]
     if sum(sizes) == 0:
         raise ValueError("loads: all that are to grow are zero")

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pyrod._immutable import Array
+from pyrod._arrays import Array, array, number
 from pyrod._sampling import sampled
 
 COARSEST = 16
@@ -18,9 +18,10 @@ TURN = 0.4
 
 def natural_edges(length: Any, curvature: Any) -> int:
     """As many that the rod at rest turns little from edge to edge."""
+    length = number(length, "length")
     if not (np.isfinite(length) and length > 0):
         raise ValueError(f"length: must be positive, got {length!r}")
-    if not callable(curvature) and np.ndim(curvature) > 1:
+    if not callable(curvature) and array(curvature, "curvature").ndim > 1:
         raise ValueError("curvature: one per vertex needs edges; give their number, or a function")
     K = sampled(curvature, np.linspace(0, length, 257), "curvature", "vertex")
     turn = length * np.linalg.norm(K, axis=1).max()

@@ -6,26 +6,31 @@ from dataclasses import fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from pyrod._arrays import Array as Array
+from pyrod._arrays import array
 
 
-def frozen(values: ArrayLike) -> Array:
+def frozen(values: ArrayLike, name: str = "values") -> Array:
     """A read-only array of doubles that shares no memory with ``values``."""
-    array = np.array(values, dtype=np.float64, order="C")
-    array.flags.writeable = False
-    return array
+    made = np.array(array(values, name), order="C")
+    made.flags.writeable = False
+    return made
 
 
 def vector(values: ArrayLike, name: str) -> Array:
     """Three finite numbers."""
-    array = frozen(values)
-    if array.shape != (3,):
-        raise ValueError(f"{name}: expected 3 numbers, got shape {array.shape}")
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name}: expected finite numbers, got {array}")
-    return array
+    made = frozen(values, name)
+    if made.shape == ():
+        raise ValueError(
+            f"{name}: expected 3 numbers in one tuple or array, as in (0, 0, -2), got {made}"
+        )
+    if made.shape != (3,):
+        raise ValueError(f"{name}: expected 3 numbers, got shape {made.shape}")
+    if not np.isfinite(made).all():
+        raise ValueError(f"{name}: expected finite numbers, got {made}")
+    return made
 
 
 def sealed(values: Any) -> Any:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from pyrod import _core
+from pyrod._arrays import number_as
 from pyrod._core import Options
 from pyrod._immutable import sealed
 from pyrod.accuracy import accuracy_of
@@ -104,9 +105,11 @@ def checked_tolerance(tol: float | None) -> float | None:
     """The tolerance, if it is one."""
     if tol is None:
         return None
-    if isinstance(tol, bool) or not isinstance(tol, (int, float)) or not 0 < tol <= 0.1:
-        raise ValueError(f"tol: must be a number in (0, 0.1], got {tol!r}")
-    return float(tol)
+    wanted = "must be a number in (0, 0.1]"
+    value = 0.0 if isinstance(tol, bool) else number_as(tol, "tol", wanted)
+    if not 0 < value <= 0.1:
+        raise ValueError(f"tol: {wanted}, got {tol!r}")
+    return value
 
 
 def _start(start: Equilibrium | ArrayLike | None, scene: Scene) -> tuple[Any, ...] | None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pyrod._arrays import array
 from pyrod._law import Made
 from pyrod.loads import DistributedForce, DistributedMoment
 
@@ -50,7 +51,7 @@ def _jumps(function: Callable[[float], Any], length: float) -> Iterator[float]:
     """Where the function jumps, found by halving the intervals in which it changes most."""
 
     def value(s: float) -> Any:
-        return np.asarray(function(float(s)), dtype=np.float64)
+        return array(function(float(s)), "a function of arc length")
 
     s = np.linspace(0, length, SAMPLES)
     values = np.array([value(x) for x in s])

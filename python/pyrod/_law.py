@@ -9,7 +9,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from pyrod._along import Curvature, Ends, Model, Sections, outlines, stiffness
-from pyrod._immutable import Array
+from pyrod._arrays import Array, array
 from pyrod._sampling import sampled
 from pyrod.outline import Outline
 from pyrod.section import Section
@@ -80,7 +80,7 @@ class Made:
     def _K0(self, h: Array) -> Array:
         s = _arc_lengths(h)
         if not callable(self.curvature) and h is not self.base:
-            given = np.asarray(self.curvature, dtype=np.float64)
+            given = array(self.curvature, "curvature")
             if given.ndim == 2:
                 return _interpolated(s, _arc_lengths(self.base), given)
         return sampled(self.curvature, s, "curvature", "vertex")
@@ -123,7 +123,7 @@ class Made:
         elif not isinstance(section, Section):
             section = section[edge]
         K0 = self.curvature(place) if callable(self.curvature) else self._K0(h)[j]
-        return np.array(section.bending), np.array(K0, dtype=np.float64)
+        return np.array(section.bending), array(K0, "curvature")
 
     @property
     def asks(self) -> bool:

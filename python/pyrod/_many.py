@@ -7,13 +7,14 @@ from time import perf_counter
 from typing import Any
 
 from pyrod import _core
+from pyrod._arrays import whole
 from pyrod._core import Options
 from pyrod._jobs import How, Job
 from pyrod._progress import Progress, shown
 from pyrod._solve import judge
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import NotConverged
-from pyrod.scene import Scene
+from pyrod.scene import Scene, checked_scene
 
 
 def solve_many(
@@ -47,7 +48,9 @@ def solve_many(
     ValueError : a scene or a start that cannot be solved; its number is in the message.
     KeyboardInterrupt : Ctrl-C is looked for between scenes.
     """
-    scenes = list(scenes)
+    if isinstance(scenes, Scene):
+        raise TypeError("scenes: expected several, got one Scene; for one there is solve")
+    scenes, threads = [checked_scene(scene) for scene in scenes], whole(threads, "threads")
     starts = [None] * len(scenes) if starts is None else list(starts)
     if len(starts) != len(scenes):
         raise ValueError(f"starts: expected {len(scenes)}, one per scene, got {len(starts)}")

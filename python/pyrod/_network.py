@@ -10,6 +10,7 @@ import numpy as np
 from pyrod import _core
 from pyrod._immutable import Array
 from pyrod._places import Place, on_rod
+from pyrod._rest import Rest, carrier
 from pyrod.joints import Joint
 from pyrod.rotation import conjugate, multiply, rotate
 from pyrod.supports import FREE, Clamp, Support
@@ -39,7 +40,10 @@ class Network:
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
-        self._rest = [_Rest(rod) for rod in scene.rods]
+        self._rest = [Rest(rod) for rod in scene.rods]
+        self._default = [
+            Rest(rod, carrier(i, scene.supports, scene.rods)) for i, rod in enumerate(scene.rods)
+        ]
         nodes = self._nodes()
         self.compiled = _core.Network()
         clamped = {on_rod(s.at, scene.rods)[0] for s in scene.supports if s.holds_frame}
@@ -101,14 +105,13 @@ class Network:
 
     def _add(self, node: _Node) -> None:
         first = node.held or node.points[0]
-        position, frame = (
-            self._rest[first[0]].position(first[1]),
-            self._rest[first[0]].frame(first[1]),
-        )
+        position, frame = self._default[first[0]].place(first[1])
+        own = self._rest[first[0]].frame(first[1])  # where the axis of a hinge is told
         free, turns, springs, holds = FREE, FREE, (0.0, 0.0), False
         if (support := node.support) is not None:
             position = position if support.position is None else support.position
             frame = frame if support.frame is None else support.frame
+            own = own if support.frame is None else support.frame
             free, turns, springs = support._free(frame), support._turns(frame), support._springs
             holds = support.holds_frame
         at, to = self._nearest(position, frame)
@@ -124,7 +127,7 @@ class Network:
             rigid = node.rigid or (holds and point == node.held)
             hinge = None
             if node.hinge is not None and point != first:
-                hinge = rotate(conjugate(frame), node.hinge)
+                hinge = rotate(conjugate(own), node.hinge)
             relative = self._relative(first, point, node)
             self.compiled.attach(*point, index, rigid, relative, node.turns.get(point, 0), hinge)
 
@@ -151,22 +154,3 @@ class Network:
     def support_nodes(self) -> list[int]:
         """The node of each support of the scene."""
         return [self.node_of[self._vertex(support.at)] for support in self._scene.supports]
-
-
-class _Rest:
-    """Where a rod is at rest; computed when asked for."""
-
-    def __init__(self, rod: object) -> None:
-        self._rod = rod
-        self._shape: tuple[Array, Array] | None = None
-
-    def _at_rest(self) -> tuple[Array, Array]:
-        if self._shape is None:
-            self._shape = self._rod.at_rest()  # type: ignore[attr-defined]
-        return self._shape
-
-    def position(self, vertex: int) -> Array:
-        return self._at_rest()[0][vertex]
-
-    def frame(self, vertex: int) -> Array:
-        return self._rod.frame_at_rest(vertex, self._at_rest()[1])  # type: ignore[attr-defined]

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any, Literal, Union
 
 import numpy as np
 
+from pyrod._arrays import number_as
+
 if TYPE_CHECKING:
     from pyrod.rod import Rod
 
@@ -29,9 +31,11 @@ def _on_one(at: End | float) -> End | float:
         if at not in ("start", "end"):
             raise ValueError(f"at: expected 'start', 'end' or an arc length, got {at!r}")
         return at
-    if not isinstance(at, (int, float, np.integer, np.floating)) or not np.isfinite(at):
-        raise ValueError(f"at: expected 'start', 'end' or an arc length, got {at!r}")
-    return float(at)
+    wanted = "expected 'start', 'end' or an arc length"
+    s = number_as(at, "at", wanted)
+    if not np.isfinite(s):
+        raise ValueError(f"at: {wanted}, got {s}")
+    return s
 
 
 def on_rod(at: Place, rods: tuple[Rod, ...]) -> tuple[int, float]:

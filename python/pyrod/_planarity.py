@@ -12,6 +12,7 @@ from pyrod._immutable import Array
 from pyrod._places import on_rod
 from pyrod.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment, on_edges
 from pyrod.rotation import conjugate, multiply, rotate
+from pyrod.scene import checked_scene
 from pyrod.supports import Clamp
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ def is_planar(scene: Scene) -> Planarity:
     ``space="planar"`` asks for a little less: of a support that could move aslant to the plane it
     takes what is left in the plane.
     """
-    why = next(_leaving(scene, 1), "")
+    why = next(_leaving(checked_scene(scene), 1), "")
     if not why:
         return Planarity("a1-a3", "")
     return Planarity(None if any(_leaving(scene, 0)) else "a2-a3", why)

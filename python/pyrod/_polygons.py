@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pyrod._immutable import Array
+from pyrod._arrays import Array, array, transposed
 
 Corners = tuple[tuple[float, float], ...]
 
@@ -17,9 +17,12 @@ def signed_area(loop: Array) -> float:
 
 def corners(points: ArrayLike, name: str) -> Corners:
     """The corners of a simple polygon, counter-clockwise; refuses what is none."""
-    loop = np.asarray(points, dtype=np.float64)
+    loop = array(points, name)
     if loop.ndim != 2 or loop.shape[1] != 2 or len(loop) < 3:
-        raise ValueError(f"{name}: expected (k, 2) corners, k at least 3, got shape {loop.shape}")
+        raise ValueError(
+            f"{name}: expected (k, 2) corners, k at least 3, got shape {loop.shape}"
+            f"{transposed(loop, 2)}"
+        )
     if not np.isfinite(loop).all():
         raise ValueError(f"{name}: expected finite numbers")
     area, extent = signed_area(loop - loop[0]), np.ptp(loop, axis=0).max()

@@ -8,13 +8,17 @@ from numpy.typing import ArrayLike
 from pyrod import _core
 from pyrod._immutable import Array
 from pyrod.curve import FramedCurve, Polyline
+from pyrod.curve._reading import check_count, check_reading
 from pyrod.rotation import as_frames, continued, exp, multiply
 
 
 def ribbon(positions: ArrayLike, frames: ArrayLike) -> FramedCurve:
     """Frames turned the shortest way so that a3 is the tangent, with continued signs."""
     polyline = Polyline(positions)
-    q = _core.curve.adapted(as_frames(frames, "frames"), polyline.tangents, 0.5)
+    q = as_frames(frames, "frames")
+    check_count(q, polyline.edges, polyline.closed)
+    check_reading(frames, q, polyline.tangents)
+    q = _core.curve.adapted(q, polyline.tangents, 0.5)
     _core.curve.check_continued(q)
     return FramedCurve(polyline, continued(q))
 

@@ -7,36 +7,39 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod._immutable import Array
+from pyrod._arrays import Array, array, number, transposed
 
 MOST_EDGES = 10**8  # their unknowns are counted in 32 bits
 
 
 def edge_lengths(length: float | ArrayLike, edges: int | None) -> Array:
+    lengths = array(length, "length")
     if edges is None:
-        return np.atleast_1d(np.asarray(length, dtype=np.float64))
-    if not (np.isfinite(edges) and edges == int(edges) and 1 <= edges <= MOST_EDGES):
+        return np.atleast_1d(lengths)
+    n = number(edges, "edges")
+    if not (np.isfinite(n) and n == int(n) and 1 <= n <= MOST_EDGES):
         raise ValueError(
             f"edges: must be a whole number, at least 1 and at most {MOST_EDGES:g}, got {edges}"
         )
-    if np.ndim(length) != 0:
+    if lengths.size != 1:
         raise ValueError("edges: give None together with the lengths of the edges")
-    if not (np.isfinite(length) and length > 0):  # type: ignore[operator]
-        raise ValueError(f"length: must be positive, got {length!r}")
-    return np.full(int(edges), length / int(edges))  # type: ignore[operator]
+    whole = lengths.item()
+    if not (np.isfinite(whole) and whole > 0):
+        raise ValueError(f"length: must be positive, got {whole!r}")
+    return np.full(int(n), whole / int(n))
 
 
 def sampled(values: Any, at: Array, name: str, place: str) -> Array:
     """(len(at), 3) from one vector, one per place, or a function of arc length."""
     if callable(values):
-        values = [np.asarray(values(s), dtype=np.float64) for s in at]
-    array = np.asarray(values, dtype=np.float64)
-    if array.shape not in ((3,), (len(at), 3)):
+        values = [array(values(s), name) for s in at]
+    made = array(values, name)
+    if made.shape not in ((3,), (len(at), 3)):
         raise ValueError(
             f"{name}: expected 3 numbers, or {len(at)} times 3 (one per {place}), "
-            f"got shape {array.shape}"
+            f"got shape {made.shape}{transposed(made, 3)}"
         )
-    return np.array(np.broadcast_to(array, (len(at), 3)))
+    return np.array(np.broadcast_to(made, (len(at), 3)))
 
 
 def cut(h: Array, at: Array) -> Array | None:

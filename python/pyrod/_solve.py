@@ -12,12 +12,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod._core import Options
+from pyrod._immutable import Array
 from pyrod._jobs import How, Job
 from pyrod._progress import iterations
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
-from pyrod.scene import Scene
+from pyrod.scene import Scene, checked_scene
 from pyrod.section import Model
+
+MOST_STRAIN = 3.0
+"""Of an edge, in stretch or shear: beyond what rubber does, so units are wrong more likely."""
+E3 = np.array([0.0, 0.0, 1.0])
 
 
 def solve(
@@ -67,9 +72,11 @@ def solve(
     -----
     UnstableWarning : the equilibrium found is a saddle of the energy, though a stable one was
         wanted.
-    StrainWarning : an edge is turned inside out, or neighbours turn by more than pi.
+    StrainWarning : an edge is stretched or sheared by more than three times its length or turned
+        inside out, or neighbours turn by more than pi.
     AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
     """
+    checked_scene(scene)
     how = How(options or Options(), stable, eigenvalue, tol)
     with iterations(progress and not verbose) as show:
         result = found(scene, how, model, start, _print_iteration if verbose else show)
@@ -159,12 +166,26 @@ def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], s
                 "out: the loads exceed what EA allows"
             )
             yield StrainWarning, message
+        elif rod.rod.model != "inextensible" and (strained := _strained(rod.Gamma)):
+            message = f"edge {strained}{of}: EA or GA and the loads do not fit, look at their units"
+            yield StrainWarning, message
         if turn > np.pi and result.accuracy is None:  # else it was solved on finer grids
             message = (
                 f"the rod turns by {turn:.3g} rad at vertex {vertex}{of}: more edges are needed "
                 "for the shape to mean anything"
             )
             yield StrainWarning, message
+
+
+def _strained(Gamma: Array) -> str | None:
+    """The edge that is stretched or sheared most, if that is much; none is turned inside out."""
+    strain = np.abs(Gamma - E3)
+    if not strain.max() > MOST_STRAIN:
+        return None
+    edge = int(strain.max(axis=1).argmax())
+    if strain[edge, 2] < strain[edge].max():
+        return f"{edge} is sheared by {strain[edge].max():.3g}"
+    return f"{edge} is stretched to {Gamma[edge, 2]:.4g} times its length"
 
 
 def refuse_drift(result: Equilibrium) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from pyrod import _core
+from pyrod._arrays import number
 from pyrod._fields import longest
 from pyrod._immutable import Array, Immutable, Lazy
 from pyrod._pictures import Pictures
@@ -212,6 +213,7 @@ class Equilibrium(Pictures, Savable, Lazy, Immutable):
         """
         if self.mode is None:
             raise ValueError("along_mode: there is no mode; solve with eigenvalue=True")
+        amplitude = number(amplitude, "amplitude")
         frames = np.vstack([rod.frames for rod in self.rods])
         return multiply(frames, exp(amplitude * self.mode))
 

@@ -43,6 +43,10 @@ class AccuracyWarning(UserWarning):
     """The error was reached without extrapolation, because the grids converge irregularly."""
 
 
+class CurveWarning(UserWarning):
+    """Points or frames of a curve that are probably not what was meant."""
+
+
 class SceneFileProblem(NamedTuple):
     """One thing that is wrong in a file of a scene."""
 

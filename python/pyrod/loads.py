@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
+from pyrod._arrays import whole
 from pyrod._immutable import Array, Immutable, frozen, vector
 from pyrod._places import Place, checked, on_rod
 from pyrod._sampling import sampled
@@ -76,8 +77,9 @@ class DistributedForce(Immutable):
     follower: bool = False
 
     def __post_init__(self) -> None:
+        self._set(rod=whole(self.rod, "rod"))
         if not callable(self.force_per_length):
-            self._set(force_per_length=frozen(self.force_per_length))
+            self._set(force_per_length=frozen(self.force_per_length, "force_per_length"))
 
     def _apply(self, loads: tuple[_core.Loads, ...], rods: tuple[Rod, ...]) -> None:
         on = loads[_number(self.rod, rods)]
@@ -97,8 +99,9 @@ class DistributedMoment(Immutable):
     follower: bool = False
 
     def __post_init__(self) -> None:
+        self._set(rod=whole(self.rod, "rod"))
         if not callable(self.moment_per_length):
-            self._set(moment_per_length=frozen(self.moment_per_length))
+            self._set(moment_per_length=frozen(self.moment_per_length, "moment_per_length"))
 
     def _apply(self, loads: tuple[_core.Loads, ...], rods: tuple[Rod, ...]) -> None:
         on = loads[_number(self.rod, rods)]

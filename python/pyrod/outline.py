@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod._immutable import Array
+from pyrod._arrays import Array, finite, number, whole
 from pyrod._polygons import Corners, corners, is_inside, signed_area
 
 
@@ -24,19 +24,19 @@ class Outline:
     @staticmethod
     def circle(radius: float) -> Outline:
         """A disc of the given radius [m]."""
-        return Circle(float(radius))
+        return Circle(number(radius, "radius"))
 
     @staticmethod
     def tube(outer_radius: float, inner_radius: float) -> Outline:
         """The ring between two radii [m]; with ``inner_radius=0`` it is the disc."""
-        if inner_radius == 0:
-            return Circle(float(outer_radius))
-        return Tube(float(outer_radius), float(inner_radius))
+        outer = number(outer_radius, "outer_radius")
+        inner = number(inner_radius, "inner_radius")
+        return Circle(outer) if inner == 0 else Tube(outer, inner)
 
     @staticmethod
     def rectangle(width: float, height: float) -> Outline:
         """A rectangle, ``width`` along a1 and ``height`` along a2 [m]."""
-        return Rectangle(float(width), float(height))
+        return Rectangle(number(width, "width"), number(height, "height"))
 
     @staticmethod
     def polygon(points: ArrayLike, hole: ArrayLike | None = None) -> Outline:
@@ -112,11 +112,12 @@ class Outline:
 
         Of two outlines of different kinds there is none between: the nearer is returned.
         """
+        part = number(finite(part, "part"), "part")
         corners = [[len(loop) for loop in outline.loops()] for outline in (self, other)]
         if type(self) is not type(other) or corners[0] != corners[1]:
             return self if part < 0.5 else other
         pairs = [(getattr(self, f.name), getattr(other, f.name)) for f in fields(self)]
-        return type(self)(*[_between(a, b, float(part)) for a, b in pairs])
+        return type(self)(*[_between(a, b, part) for a, b in pairs])
 
 
 @dataclass(frozen=True, repr=False)
@@ -211,6 +212,7 @@ class Polygon(Outline):
 
 
 def _circle(radius: float, sides: int) -> Array:
+    sides = whole(sides, "sides")
     if not sides >= 3:
         raise ValueError(f"sides: must be at least 3, got {sides}")
     angles = 2 * pi * np.arange(sides) / sides

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from pyrod import _core
 from pyrod._along import Curvature, Model, Sections, masses, outlines, stiffness
+from pyrod._arrays import array, finite, rows
 from pyrod._energy import Energy
 from pyrod._grading import graded, natural_edges
 from pyrod._immutable import Array, Immutable, frozen, vector
@@ -18,7 +19,7 @@ from pyrod._places import End
 from pyrod._rest_shape import rest_curvature, ribbon
 from pyrod._sampling import cut, edge_lengths
 from pyrod.outline import Outline
-from pyrod.rotation import exp, frame_along, multiply
+from pyrod.rotation import as_frame, as_frames, exp, frame_along, multiply, unit_frame
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -61,14 +62,23 @@ class Rod(Immutable):
     """Arc lengths that must be vertices if the solver chooses the grid; None: edges are given."""
     _rod: _core.Rod = field(init=False, compare=False)
 
+    def __new__(cls, *args: Any, **kwargs: Any) -> Rod:
+        if 0 < len(args) + len(kwargs) < 5:  # none: as pickles do
+            raise TypeError(
+                "Rod: takes the arrays of a discrete rod; make one with Rod.straight(length, "
+                "edges, section), Rod.precurved or Rod.from_curve"
+            )
+        return super().__new__(cls)
+
     def __post_init__(self) -> None:
-        if self.model not in _core.Model.__members__:
+        if not isinstance(self.model, str) or self.model not in _core.Model.__members__:
             raise ValueError(
                 f"model: expected one of {', '.join(_core.Model.__members__)}, got {self.model!r}"
             )
         for name in ("edge_lengths", "bending", "stretching", "K0"):
-            self._set(**{name: frozen(getattr(self, name))})
-        self._set(placement=tuple(frozen(x) for x in self.placement))
+            self._set(**{name: frozen(getattr(self, name), name)})
+        position, frame = self.placement
+        self._set(placement=(frozen(position, "placement"), frozen(frame, "placement")))
         self._set(mass_per_length=masses(self.mass_per_length, self.edges))
         if self._law is None or not self._is_by_law():
             self._set(_law=self._table(), _made=None, _breaks=None)
@@ -137,7 +147,7 @@ class Rod(Immutable):
         curvature : (K1, K2, K3) [1/m], bending about a1 and a2 and twist; or one per vertex,
             (n + 1, 3); or a function of arc length.
         """
-        free = edges is None and np.ndim(length) == 0
+        free = edges is None and array(length, "length").ndim == 0
         h = edge_lengths(length, natural_edges(length, curvature) if free else edges)
         law = Made(section, curvature, h)
         made = law.on(h)
@@ -236,7 +246,7 @@ class Rod(Immutable):
             frame = frame_along(tangent, normal)
         place = (
             self.placement[0] if position is None else vector(position, "position"),
-            self.placement[1] if frame is None else frozen(frame),
+            self.placement[1] if frame is None else frozen(unit_frame(frame, "frame")),
         )
         return replace(self, placement=place)
 
@@ -249,7 +259,7 @@ class Rod(Immutable):
         edges, these vertices are kept: give it the places where a load, a section or the curvature
         jumps.
         """
-        at = np.unique(np.asarray(at, dtype=np.float64))
+        at = np.unique(finite(at, "at"))
         law = self._law.marked(at)  # type: ignore[union-attr]
         if self._breaks is not None:
             inside = (at > 1e-9 * self.length) & (at < (1 - 1e-9) * self.length)
@@ -287,8 +297,8 @@ class Rod(Immutable):
     ) -> tuple[Array, Array]:
         """Positions (n + 1, 3) and frames (n, 4) of the stress-free shape, started as given."""
         return self._rod.at_rest(
-            self.placement[0] if position is None else np.asarray(position, dtype=np.float64),
-            self.placement[1] if frame is None else np.asarray(frame, dtype=np.float64),
+            self.placement[0] if position is None else vector(position, "position"),
+            self.placement[1] if frame is None else as_frame(frame, "frame"),
         )
 
     def energy(
@@ -311,10 +321,10 @@ class Rod(Immutable):
         """
         bend_twist, stretch_shear, gradient, hessian = self._rod.energy(
             _core.Model.__members__[self.model],
-            np.asarray(positions, dtype=np.float64),
-            np.asarray(frames, dtype=np.float64),
-            start_frame,
-            end_frame,
+            rows(positions, "positions", 3),
+            as_frames(frames, "frames"),
+            None if start_frame is None else as_frame(start_frame, "start_frame"),
+            None if end_frame is None else as_frame(end_frame, "end_frame"),
         )
         return Energy(bend_twist, stretch_shear, frozen(gradient), hessian)
 

@@ -12,6 +12,7 @@ from pyrod._immutable import Array, Immutable
 from pyrod._ladder import Ladder
 from pyrod._network import Network
 from pyrod._places import on_rod, with_vertices
+from pyrod._rest import Rest, carrier
 from pyrod._savable import Savable
 from pyrod.joints import Joint
 from pyrod.loads import Load, load_places, sampled_load
@@ -65,8 +66,10 @@ class Scene(Immutable, Savable):
         joints = _tuple(joints, Joint, "joints")
         if not rods:
             raise ValueError("rods: expected at least one")
-        if space not in _core.Dimension.__members__:
-            raise ValueError(f"space: expected 'planar' or 'spatial', got {space!r}")
+        if not isinstance(space, str) or space not in _core.Dimension.__members__:
+            raise ValueError(
+                f"space: expected 'planar' or 'spatial', got {space!r}{_belonging(space)}"
+            )
         if not supports and not joints:
             raise ValueError(
                 "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or "
@@ -149,12 +152,11 @@ class Scene(Immutable, Savable):
         position, frame = support.position, support.frame
         if position is not None and frame is not None:
             return position, frame
-        if s == 0.0:
+        by = carrier(i, self.supports, self.rods) if len(self.supports) > 1 else None
+        if by is None and s == 0.0:
             rest = rod.placement
         else:
-            positions, frames = rod.at_rest()
-            vertex = int(abs(rod.arc_lengths - s).argmin())
-            rest = (positions[vertex], rod.frame_at_rest(vertex, frames))
+            rest = Rest(rod, by).place(int(abs(rod.arc_lengths - s).argmin()))
         return (rest[0] if position is None else position, rest[1] if frame is None else frame)
 
     def __repr__(self) -> str:
@@ -176,11 +178,36 @@ def _counted(names: list[str]) -> str:
 
 
 def _tuple(items: Any, kinds: Any, name: str) -> tuple[Any, ...]:
-    items = (items,) if isinstance(items, kinds) else tuple(items)
+    one = isinstance(items, kinds) or not isinstance(items, Iterable)
+    items = (items,) if one else tuple(items)
     for item in items:
         if not isinstance(item, kinds):
-            raise TypeError(f"{name}: cannot use a {type(item).__name__}")
+            raise TypeError(f"{name}: cannot use a {type(item).__name__}{_belonging(item)}")
     return items
+
+
+def _belonging(item: Any) -> str:
+    """Where a thing belongs that was given for another argument."""
+    kinds = {"rods": Rod, "supports": Support, "loads": Load.__args__, "joints": Joint}  # type: ignore[attr-defined]
+    for name, kind in kinds.items():
+        if isinstance(item, kind):
+            return (
+                f"; a {type(item).__name__} belongs to {name}: "
+                "Scene(rods, supports, loads, joints=...)"
+            )
+    return ""
+
+
+def checked_scene(scene: Any) -> Scene:
+    """A scene; says what to do with what is none."""
+    if isinstance(scene, Scene):
+        return scene
+    hint = ""
+    if isinstance(scene, Rod):
+        hint = "; hold it: Scene(rod, Clamp(), loads)"
+    elif isinstance(scene, (list, tuple)):
+        hint = "; for several there is solve_many"
+    raise TypeError(f"scene: expected a Scene, got a {type(scene).__name__}{hint}")
 
 
 def _free_of(rods: tuple[Rod, ...], places: list[Any]) -> list[Any]:

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from pyrod import _core
-from pyrod._immutable import Array
+from pyrod._arrays import Array, number
 from pyrod.outline import Outline
 
 Model = Literal["cosserat", "extensible", "inextensible"]
@@ -32,6 +32,7 @@ class Material:
     density: float = 0.0
 
     def __post_init__(self) -> None:
+        _to_numbers(self, "E", "nu", "density")
         _core.section.check_material(self.E, self.nu)
         _not_negative(self.density, "density")
 
@@ -66,6 +67,7 @@ class Section:
     outline: Outline | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
+        _to_numbers(self, "EI1", "EI2", "GJ", "GA1", "GA2", "EA", "mass_per_length")
         _core.section.check(self.EI1, self.EI2, self.GJ, self.GA1, self.GA2, self.EA)
         _not_negative(self.mass_per_length, "mass_per_length")
         if not isinstance(self.outline, Outline | None):
@@ -76,12 +78,15 @@ class Section:
     @staticmethod
     def circle(radius: float, material: Material) -> Section:
         """Solid circle of the given radius [m]. Shear after Cowper (1966)."""
+        radius, material = number(radius, "radius"), _checked(material)
         stiffnesses = _core.section.circle(radius, material.E, material.nu)
         return _of(stiffnesses, material, Outline.circle(radius))
 
     @staticmethod
     def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
         """Ring between two radii [m]. Shear after Cowper (1966)."""
+        outer_radius = number(outer_radius, "outer_radius")
+        inner_radius, material = number(inner_radius, "inner_radius"), _checked(material)
         stiffnesses = _core.section.tube(outer_radius, inner_radius, material.E, material.nu)
         return _of(stiffnesses, material, Outline.tube(outer_radius, inner_radius))
 
@@ -91,6 +96,8 @@ class Section:
 
         Torsion after Saint-Venant, shear after Cowper (1966).
         """
+        width, height = number(width, "width"), number(height, "height")
+        material = _checked(material)
         stiffnesses = _core.section.rectangle(width, height, material.E, material.nu)
         return _of(stiffnesses, material, Outline.rectangle(width, height))
 
@@ -115,6 +122,21 @@ class Section:
 def _of(stiffnesses: Iterable[float], material: Material, outline: Outline) -> Section:
     mass = outline.area * material.density
     return replace(Section(*stiffnesses), mass_per_length=mass, outline=outline)
+
+
+def _to_numbers(made: Material | Section, *names: str) -> None:
+    for name in names:
+        value = getattr(made, name)
+        if type(value) is not float and type(value) is not int:
+            object.__setattr__(made, name, number(value, name))
+
+
+def _checked(material: Material) -> Material:
+    if not isinstance(material, Material):
+        raise TypeError(
+            f"material: expected a Material, as Material(E=210e9), got a {type(material).__name__}"
+        )
+    return material
 
 
 def _not_negative(value: float, name: str) -> None:

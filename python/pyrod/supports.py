@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pyrod._arrays import number
 from pyrod._immutable import Array, Immutable, frozen, vector
 from pyrod._places import Place, checked
-from pyrod.rotation import as_frames, frame_along, rotate
+from pyrod.rotation import frame_along, rotate, unit_frame
 
 FREE = np.eye(3)
 HELD = np.zeros((0, 3))
@@ -66,10 +67,7 @@ def placed_frame(
         return frozen(frame_along(tangent, normal))
     if frame is None:
         return None
-    q = as_frames(np.asarray(frame, dtype=np.float64)[None], "frame")[0]
-    if not abs(np.linalg.norm(q) - 1) < 1e-6:
-        raise ValueError(f"frame: expected a unit quaternion (w, x, y, z), got {q}")
-    return frozen(q)
+    return frozen(unit_frame(frame, "frame"))
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -240,10 +238,11 @@ class Spring(Support):
         at: Place = "end",
     ) -> None:
         super().__init__(position, frame, at=at)
+        stiffness, torsion = number(stiffness, "stiffness"), number(torsion, "torsion")
         for name, value in (("stiffness", stiffness), ("torsion", torsion)):
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"{name}: must be finite and not negative, got {value}")
-        self._set(stiffness=float(stiffness), torsion=float(torsion))
+        self._set(stiffness=stiffness, torsion=torsion)
 
     @property
     def holds_frame(self) -> bool:  # type: ignore[override]
@@ -262,11 +261,12 @@ class Spring(Support):
 
 
 def whole_turns(turns: float) -> int:
-    if not (np.isfinite(turns) and turns == int(turns)):
+    value = number(turns, "turns")
+    if not (np.isfinite(value) and value == int(value)):
         raise ValueError(f"turns: must be a whole number, got {turns}; fractions are the frame's")
-    if abs(turns) > MOST_TURNS:
+    if abs(value) > MOST_TURNS:
         raise ValueError(f"turns: must be at most {MOST_TURNS:g}, got {turns}")
-    return int(turns)
+    return int(value)
 
 
 def unit(values: ArrayLike | None, name: str) -> Array | None:

@@ -80,7 +80,7 @@ ASKED = [
     (lambda: OPEN.bishop([1, 0, 0]), "normal: must not be parallel to the tangent"),
     (lambda: OPEN.bishop([0, 1, 0], frame=[1, 0, 0, 0]), "normal: give either it or frame"),
     (lambda: OPEN.bishop(frame=[1, 1, 0, 0]), "start.*: expected a unit quaternion"),
-    (lambda: OPEN.bishop(frame=np.eye(3)), "start: expected a quaternion"),
+    (lambda: OPEN.bishop(frame=np.eye(2)), "start: expected a quaternion"),
     (
         lambda: OPEN.bishop(angles=[0.1, 0.2]),
         r"angles: expected one or 3, one per edge, got shape \(2,\)",

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._immutable import Array
+from pyrod._arrays import Array, array, finite, number, rows, transposed, yes_or_no
 
 
 def bishop_from_frenet(curvature: ArrayLike, dihedral_angles: ArrayLike) -> Array:
@@ -25,7 +25,7 @@ def bishop_from_frenet(curvature: ArrayLike, dihedral_angles: ArrayLike) -> Arra
     binormals at vertices, and along an edge they turn by alpha.
     """
     return _core.curve.bishop_curvature(
-        np.asarray(curvature, dtype=np.float64), np.asarray(dihedral_angles, dtype=np.float64)
+        finite(curvature, "curvature"), finite(dihedral_angles, "dihedral_angles")
     )
 
 
@@ -40,7 +40,7 @@ def frenet_from_bishop(K: ArrayLike) -> tuple[Array, Array]:
     Where the curvature vanishes the binormal stays as it was, so that the whole angle falls on the
     edge into the next bent vertex.
     """
-    return _core.curve.frenet_numbers(np.asarray(K, dtype=np.float64))
+    return _core.curve.frenet_numbers(rows(K, "K", 3))
 
 
 def without_repeats(
@@ -56,12 +56,14 @@ def without_repeats(
 
     Returns the vertices that are kept, and their indices.
     """
-    r = np.asarray(positions, dtype=np.float64)
+    r = array(positions, "positions")
     if r.ndim != 2 or r.shape[1] not in (2, 3):
-        raise ValueError(f"positions: expected shape (m, 3) or (m, 2), got {r.shape}")
+        hint = transposed(r, 2, 3)
+        raise ValueError(f"positions: expected shape (m, 3) or (m, 2), got {r.shape}{hint}")
     if not np.isfinite(r).all():
         worst = int(np.argmin(np.isfinite(r).all(axis=1)))
         raise ValueError(f"positions[{worst}]: expected finite numbers, got {r[worst]}")
+    closed, distance = yes_or_no(closed, "closed"), number(distance, "distance")
     if not distance >= 0:
         raise ValueError(f"distance: must not be negative, got {distance}")
     points = r.tolist()  # for single points much faster than rows of an array

@@ -10,12 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._immutable import Array, Immutable, frozen, sealed
+from pyrod._arrays import array, number
+from pyrod._immutable import Array, Immutable, frozen, sealed, vector
 from pyrod._sampling import edge_lengths as lengths_of
 from pyrod._sampling import sampled
-from pyrod.curve._polyline import Polyline, whole
-from pyrod.curve._strains import Measure, reconstruct, strains
-from pyrod.rotation import as_frames, continued, rotate, to_matrix
+from pyrod.curve._knots import whole as whole_link
+from pyrod.curve._polyline import Polyline
+from pyrod.curve._reading import between_vertices, check_count, check_reading, held, signed
+from pyrod.curve._strains import Measure, checked_measure, reconstruct, strains
+from pyrod.rotation import as_frame, rotate, to_matrix
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
@@ -25,8 +28,9 @@ class FramedCurve(Immutable):
     Parameters
     ----------
     polyline : a `Polyline`, or the positions of an open one.
-    frames : (n, 4) unit quaternions, whose signs matter: a turn may reach 2 pi; or (n, 3, 3)
-        rotation matrices, whose quaternions are given the signs that continue each other.
+    frames : one per edge: (n, 4) unit quaternions, whose signs matter: a turn may reach 2 pi; or
+        (n, 3, 3) rotation matrices, or a ``Rotation`` of SciPy, whose quaternions are given the
+        signs that continue each other. For frames at the points see `from_vertex_frames`.
     edge_lengths : (n,) reference lengths h; default: those of the polyline.
     start_frame, end_frame : (4,) or (3, 3) frames that hold the ends of an open curve; an end
         without one does not turn over its half edge.
@@ -34,7 +38,12 @@ class FramedCurve(Immutable):
     Raises
     ------
     ValueError : shapes, frames of another length than 1, neighbours that differ by 2 pi (matrices:
-        by pi), where the turn has lost its axis; with the index and the remedy.
+        by pi), where the turn has lost its axis; frames that fit the edges only if they are read as
+        (x, y, z, w) or as rows; with the index and the remedy.
+
+    Warns
+    -----
+    CurveWarning : a3 is far from every edge.
 
     A ribbon is a curve whose frames are adapted, a3 along the edge. Its K are the normal curvature
     (bending about a1), the geodesic curvature (about a2, in the surface along a1) and the geodesic
@@ -57,24 +66,50 @@ class FramedCurve(Immutable):
     ) -> None:
         if not isinstance(polyline, Polyline):
             polyline = Polyline(polyline)
-        h = polyline.edge_lengths if edge_lengths is None else frozen(edge_lengths)
+        h = frozen(polyline.edge_lengths if edge_lengths is None else edge_lengths, "edge_lengths")
         if h.shape != (polyline.edges,):
             raise ValueError(f"edge_lengths: expected {polyline.edges}, got shape {h.shape}")
-        q = _signed(frames)
-        self._set(
-            polyline=polyline,
-            frames=frozen(q),
-            edge_lengths=h,
-            start_frame=_held(start_frame, "start_frame", q[:1]),
-            end_frame=_held(end_frame, "end_frame", q[-1:]),
-        )
+        q = signed(frames)
+        check_count(q, polyline.edges, polyline.closed)
+        start, end = held(start_frame, "start_frame", q[:1]), held(end_frame, "end_frame", q[-1:])
+        self._fill(polyline, frozen(q), h, start, end)
+        check_reading(frames, q, polyline.tangents)
+
+    def _fill(
+        self, polyline: Polyline, q: Array, h: Array, start: Array | None, end: Array | None
+    ) -> FramedCurve:
+        self._set(polyline=polyline, frames=q, edge_lengths=h, start_frame=start, end_frame=end)
         self.twist_angles  # noqa: B018  checks everything
+        return self
 
     def __repr__(self) -> str:
         kind = "closed" if self.polyline.closed else "open"
         return f"FramedCurve({kind}, edges={self.polyline.edges}, length={self.polyline.length:g})"
 
     # Makers ---------------------------------------------------------------------------------------
+
+    @classmethod
+    def from_vertex_frames(cls, polyline: Polyline | ArrayLike, frames: ArrayLike) -> FramedCurve:
+        """The curve whose frames are given at its points, as base pairs or waypoints have them.
+
+        Parameters
+        ----------
+        polyline : a `Polyline`, or the positions of an open one.
+        frames : (n + 1, 4), (n + 1, 3, 3) or a ``Rotation``, one per vertex; n if it is closed.
+
+        Each edge has the frame half-way between those of its ends, the shorter way; the first and
+        the last frame hold the ends of an open curve. So nothing of the twist between the points
+        is lost.
+
+        Raises
+        ------
+        ValueError : neighbours that differ by pi, and what the constructor refuses.
+        """
+        if not isinstance(polyline, Polyline):
+            polyline = Polyline(polyline)
+        between, q = between_vertices(frames, polyline.edges, polyline.closed)
+        ends = (None, None) if polyline.closed else (q[0], q[-1])
+        return cls(polyline, between, None, *ends)
 
     @classmethod
     def from_strains(
@@ -91,9 +126,9 @@ class FramedCurve(Immutable):
 
         With K = (kappa1, kappa2, 0) its frames are Bishop's.
         """
-        h = np.asarray(edge_lengths, dtype=np.float64)
-        r, q, end = reconstruct(h, K, Gamma, position, frame, measure=measure)
-        return cls._held_by(r, q, h, frame, end)
+        h, start = array(edge_lengths, "edge_lengths"), as_frame(frame, "frame")
+        r, q, end = reconstruct(h, K, Gamma, position, start, measure=measure)
+        return cls._held_by(r, q, h, start, end)
 
     @classmethod
     def from_frenet(
@@ -111,16 +146,16 @@ class FramedCurve(Immutable):
         ``frame`` is the frame (n, b, t) at the start. The exact inverse of `Polyline.curvature` and
         `Polyline.torsion`; the curvature of a free end is 0.
         """
-        h = np.asarray(edge_lengths, dtype=np.float64)
+        h, start = array(edge_lengths, "edge_lengths"), as_frame(frame, "frame")
         r, q, end = _core.curve.reconstruct_frenet(
             h,
-            np.asarray(curvature, dtype=np.float64),
-            np.asarray(torsion, dtype=np.float64),
-            np.asarray(position, dtype=np.float64),
-            np.asarray(frame, dtype=np.float64),
-            measure,
+            array(curvature, "curvature"),
+            array(torsion, "torsion"),
+            vector(position, "position"),
+            start,
+            checked_measure(measure),
         )
-        return cls._held_by(r, q, h, frame, end)
+        return cls._held_by(r, q, h, start, end)
 
     @classmethod
     def sampled(
@@ -148,10 +183,11 @@ class FramedCurve(Immutable):
         )
 
     @classmethod
-    def _held_by(cls, r: Array, q: Array, h: Array, start: ArrayLike, end: Array) -> FramedCurve:
+    def _held_by(cls, r: Array, q: Array, h: Array, start: Array, end: Array) -> FramedCurve:
         a3 = np.array([0.0, 0.0, 1.0])
         ends = rotate(np.array([start, end]), a3)
-        return cls(Polyline(r, False, ends[0], ends[1]), q, h, frozen(start), end)
+        arrays = frozen(q), frozen(h), frozen(start), frozen(end)
+        return cls.__new__(cls)._fill(Polyline(r, False, ends[0], ends[1]), *arrays)
 
     # Strains --------------------------------------------------------------------------------------
 
@@ -198,7 +234,7 @@ class FramedCurve(Immutable):
     def turned(self, angles: ArrayLike) -> FramedCurve:
         """Every frame turned about its a3 by an angle [rad], one for all or (n,)."""
         n = len(self.frames)
-        phi = np.asarray(angles, dtype=np.float64)
+        phi = array(angles, "angles")
         if phi.shape not in ((), (n,)):
             raise ValueError(f"angles: expected one or {n}, one per edge, got shape {phi.shape}")
         phi = np.array(np.broadcast_to(phi, n))
@@ -215,7 +251,9 @@ class FramedCurve(Immutable):
 
         Raises ``ValueError`` where a3 is farther than ``limit`` [rad] from the tangent.
         """
-        p = self.polyline
+        p, limit = self.polyline, number(limit, "limit")
+        if not limit >= 0:
+            raise ValueError(f"limit: must be an angle, not negative, got {limit}")
         ends = {}
         for name, tangent in (("start_frame", p.start_tangent), ("end_frame", p.end_tangent)):
             frame = getattr(self, name)
@@ -231,6 +269,8 @@ class FramedCurve(Immutable):
         For two framings of one curve that are both adapted; continued along it. The inverse of
         `turned`.
         """
+        if not isinstance(other, FramedCurve):
+            raise TypeError(f"other: expected a FramedCurve, got a {type(other).__name__}")
         return _core.curve.angles_about_tangents(other.frames, self.frames)
 
     # Twist and link -------------------------------------------------------------------------------
@@ -258,7 +298,7 @@ class FramedCurve(Immutable):
             raise ValueError(
                 f"frames[{worst}]: a3 is not along the edge; take adapted(), whose frames are"
             )
-        return whole(self.twist + self.polyline.writhe(threads))
+        return whole_link(self.twist + self.polyline.writhe(threads))
 
     def edge(self, distance: float, threads: int = 0) -> Polyline:
         """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame.
@@ -267,6 +307,7 @@ class FramedCurve(Immutable):
         ``ValueError`` beyond half the `Polyline.self_approach`, where it could pass through another
         part of the curve. O(n^2).
         """
+        distance = number(distance, "distance")
         nearest = self.polyline.self_approach(threads)
         if not 0 < abs(distance) < nearest.distance / 2:
             raise ValueError(
@@ -275,22 +316,3 @@ class FramedCurve(Immutable):
             )
         a1 = rotate(self.vertex_frames, np.array([1.0, 0.0, 0.0]))
         return Polyline(self.polyline.positions + distance * a1, self.polyline.closed)
-
-
-def _signed(frames: ArrayLike) -> Array:
-    """Quaternions; those of matrices with continued signs."""
-    array = np.asarray(frames, dtype=np.float64)
-    q = as_frames(array, "frames")
-    if array.ndim == 3:
-        _core.curve.check_continued(q)
-        q = continued(q)
-    return q
-
-
-def _held(frame: ArrayLike | None, name: str, near: Array) -> Array | None:
-    """The frame of an end; that of a matrix with the sign of its neighbour."""
-    if frame is None:
-        return None
-    array = np.asarray(frame, dtype=np.float64)
-    q = as_frames(array[None], name)[0]
-    return frozen(-q if array.ndim == 2 and (near @ q < 0).any() else q)

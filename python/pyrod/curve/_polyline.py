@@ -4,27 +4,34 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._immutable import Array, Immutable, frozen, sealed, vector
-from pyrod.curve._strains import Measure
-from pyrod.rotation import frame_along
+from pyrod._arrays import array, number, precision, yes_or_no
+from pyrod._arrays import whole as whole_number
+from pyrod._immutable import Array, Immutable, frozen, sealed
+from pyrod.curve._ends import Ends, is_torsion, with_ends
+from pyrod.curve._knots import Approach, as_polyline, whole
+from pyrod.curve._points import (
+    direction,
+    inflections,
+    positions_of,
+    refuse_folds,
+    straight_angles,
+    warn_of_near_repeats,
+)
+from pyrod.curve._strains import Measure, checked_measure
+from pyrod.rotation import frame_along, unit_frame
 
 if TYPE_CHECKING:
     from pyrod.curve._framed import FramedCurve
 
 
-class Approach(NamedTuple):
-    """The two edges that come nearest to each other; infinitely far, -1 and -1 if there are
-    none."""
-
-    distance: float
-    edge: int
-    other: int
+NO_ANGLE = 0.0
+"""The default, for which nothing is turned."""
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
@@ -41,12 +48,18 @@ class Polyline(Immutable):
         edge, and its half cell does not turn: its curvature is then 0.
     straight : vertices that turn by no more than this angle [rad] have no binormal of their own and
         take that of the vertex before. Those that turn by no more than the rounding of the
-        positions explains always count as straight.
+        positions explains always count as straight, of single precision if they came in it.
+    resolution : what the positions are known to [m]. Vertices that turn by no more than it explains
+        count as straight, too. Default: only the rounding of the numbers.
 
     Raises
     ------
     ValueError : shape, numbers that are not finite, neighbours that coincide (`without_repeats`
         helps), neighbouring edges that are antiparallel; with the index and the remedy.
+
+    Warns
+    -----
+    CurveWarning : a point nearly repeats the one before, which spoils curvature and torsion.
 
     Angles and curvatures are invariant under rigid motion. Values at vertices are those of the
     cells around them, which have half a length at the ends of an open arc.
@@ -57,6 +70,9 @@ class Polyline(Immutable):
     start_tangent: Array | None
     end_tangent: Array | None
     straight: float
+    resolution: float | None
+    _precision: float = field(compare=False)
+    """Relative rounding of the positions as they came."""
     _arc: _core.curve.Arc = field(init=False, compare=False)
 
     def __init__(
@@ -66,22 +82,29 @@ class Polyline(Immutable):
         start_tangent: ArrayLike | None = None,
         end_tangent: ArrayLike | None = None,
         straight: float = 0.0,
+        resolution: float | None = None,
     ) -> None:
-        r = np.asarray(positions, dtype=np.float64)
-        if r.ndim == 2 and r.shape[1] == 2:
-            r = np.column_stack([r, np.zeros(len(r))])
-        if r.ndim != 2 or r.shape[1] != 3:
-            raise ValueError(f"positions: expected shape (n, 3) or (n, 2), got {r.shape}")
+        straight = number(straight, "straight")
         if not 0 <= straight < np.pi:
             raise ValueError(f"straight: must be an angle in [0, pi), got {straight}")
+        if resolution is not None:
+            resolution = number(resolution, "resolution")
+            if not 0 <= resolution < np.inf:
+                raise ValueError(f"resolution: must be finite and not negative, got {resolution}")
+        r, flat = positions_of(positions)
         self._set(
             positions=frozen(r),
-            closed=bool(closed),
-            start_tangent=_optional(start_tangent, "start_tangent"),
-            end_tangent=_optional(end_tangent, "end_tangent"),
-            straight=float(straight),
+            closed=yes_or_no(closed, "closed"),
+            start_tangent=direction(start_tangent, "start_tangent", flat),
+            end_tangent=direction(end_tangent, "end_tangent", flat),
+            straight=straight,
+            resolution=resolution,
+            _precision=precision(positions),
         )
         self._set(_arc=self._compiled())
+        if resolution is not None or self._precision > np.finfo(np.float64).eps:
+            refuse_folds(self)
+        warn_of_near_repeats(self)
 
     def _compiled(self) -> _core.curve.Arc:
         return _core.curve.Arc(self.positions, self.closed, self.start_tangent, self.end_tangent)
@@ -152,7 +175,7 @@ class Polyline(Immutable):
 
         Its length tells how far the parameter is from arc length (Linn, A.3).
         """
-        xi = np.asarray(parameter, dtype=np.float64)
+        xi = array(parameter, "parameter")
         if (
             xi.shape != (self.edges + 1,)
             or not np.isfinite(xi).all()
@@ -170,12 +193,14 @@ class Polyline(Immutable):
         """Angles theta [rad] between the directions before and behind each vertex, from 0 to pi."""
         return sealed(self._arc.turning_angles())
 
-    def curvature(self, measure: Measure = "log") -> Array:
+    def curvature(self, measure: Measure = "log", *, ends: Ends = "free") -> Array:
         """Frenet curvature kappa = theta/cell length at the vertices, Linn (3).
 
-        ``measure`` names how the turn is measured, see `Measure`.
+        ``measure`` names how the turn is measured, see `Measure`. At an end that no tangent holds
+        the curvature is 0; ``ends="continued"`` gives it that of its neighbour.
         """
-        return _core.curve.measured(self.turning_angles, measure) / self.cell_lengths
+        turns = _core.curve.measured(self.turning_angles, checked_measure(measure))
+        return with_ends(self, turns / self.cell_lengths, ends)
 
     @cached_property
     def binormals(self) -> Array:
@@ -185,7 +210,7 @@ class Polyline(Immutable):
         of the first bent one); a straight arc gets one of its normals. At an inflection in a plane
         the axis turns by pi from one vertex to the next.
         """
-        return sealed(self._arc.binormals(self.straight))
+        return sealed(self._arc.binormals(straight_angles(self)))
 
     def curvature_binormals(self, measure: Measure = "log") -> Array:
         """kappa b at the vertices: continuous through inflections. In a plane, signed curvature."""
@@ -196,18 +221,22 @@ class Polyline(Immutable):
         """(n,) angles alpha [rad] about each edge from one binormal to the next, in (-pi, pi]."""
         return sealed(self._arc.dihedral_angles(self.binormals))
 
-    def torsion(self, measure: Measure | Literal["sauer"] = "log") -> Array:
+    def torsion(self, measure: Measure | Literal["sauer"] = "log", *, ends: Ends = "free") -> Array:
         """(n,) torsion tau = alpha/edge length, Linn (4).
 
         Of second order where neighbouring edges are nearly equal. Where their lengths vary at
         random it does not converge, but sums of alpha do, see docs/curves.md.
 
         ``measure`` "sauer" is sin(alpha)/length: of the same order, but no longer growing beyond
-        a right angle, so that it mistakes sharp turns for mild ones.
+        a right angle, so that it mistakes sharp turns for mild ones. On an edge to an end that no
+        tangent holds the torsion is 0; ``ends="continued"`` gives it that of the next edge.
         """
-        if measure == "sauer":
-            return np.sin(self.dihedral_angles) / self.edge_lengths
-        return _core.curve.measured(self.dihedral_angles, measure) / self.edge_lengths
+        alpha = self.dihedral_angles
+        if checked_measure(measure, "sauer") == "sauer":
+            turns = np.sin(alpha)
+        else:
+            turns = _core.curve.measured(alpha, measure)
+        return with_ends(self, turns / self.edge_lengths, ends)
 
     def frenet(self) -> FramedCurve:
         """The arc with Frenet frames (n, b, t) on its edges, b half-way between the vertices'."""
@@ -222,7 +251,7 @@ class Polyline(Immutable):
     def bishop(
         self,
         normal: ArrayLike | None = None,
-        angles: ArrayLike = 0.0,
+        angles: ArrayLike = NO_ANGLE,
         frame: ArrayLike | None = None,
     ) -> FramedCurve:
         """The arc with frames that do not twist, or that twist as told (Linn 6.2.1).
@@ -232,20 +261,22 @@ class Polyline(Immutable):
         normal : (3,) a1 of the start is as near to it as can be; default: the frame e1, e2, e3
             turned the least way.
         angles : turns the frames about the tangents by a given angle [rad], one for all or (n,).
-        frame : (4,) the frame at the start instead of ``normal``, turned the least way to the
-            tangent.
+        frame : (4,) or (3, 3), the frame at the start instead of ``normal``, turned the least way
+            to the tangent.
 
         Frames of a closed arc start on edge 0 and meet it again turned by the `holonomy`, all of
         which is in the turn at vertex 0; see `closed_ribbon` for frames that close.
         """
         if frame is None:
             start = self.tangents[0] if self.start_tangent is None else self.start_tangent
-            frame = frame_along(start, normal)
+            q = frame_along(start, normal)
         elif normal is not None:
             raise ValueError("normal: give either it or frame")
-        first, frames = self._arc.bishop_frames(np.asarray(frame, dtype=np.float64))
+        else:
+            q = unit_frame(frame, "frame at the start")
+        first, frames = self._arc.bishop_frames(q)
         framed = self._framed(frames, first if self.start_tangent is not None else None)
-        return framed.turned(angles) if np.any(angles) else framed
+        return framed if angles is NO_ANGLE else framed.turned(angles)
 
     def holonomy(self) -> float:
         """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame.
@@ -261,9 +292,8 @@ class Polyline(Immutable):
         O(n^2), for the writhe.
         """
         self._require_closed("closed_ribbon")
-        if link != np.trunc(link) or not np.isfinite(link):
-            raise ValueError(f"link: must be a whole number, got {link}")
-        twist = 2 * np.pi * (int(link) - self.writhe()) * self.cell_lengths / self.length
+        link = whole_number(link, "link")
+        twist = 2 * np.pi * (link - self.writhe()) * self.cell_lengths / self.length
         worst = int(np.argmax(np.abs(twist)))
         if not abs(twist[worst]) < np.pi:
             raise ValueError(
@@ -294,19 +324,24 @@ class Polyline(Immutable):
         mean = before + behind
         return mean / np.linalg.norm(mean, axis=1, keepdims=True)
 
-    def at_vertices(self, values: ArrayLike) -> Array:
+    def at_vertices(self, values: ArrayLike, *, ends: Ends = "free") -> Array:
         """Values given per edge, (n, ...), at the vertices: linear between the edge centres.
 
         At the ends of an open arc on the continuation of the last line. Second order on any grid.
+        ``ends="continued"``: edges to ends that no tangent holds have the values of the next ones,
+        whatever is given. So it is always for the arc's own `torsion`, as it is not known there.
         """
-        return self._averaged(_core.curve.at_vertices, values)
+        x = array(values, "values")
+        if x.shape[:1] == (self.edges,):
+            x = with_ends(self, x, "continued" if is_torsion(self, x) else ends)
+        return self._averaged(_core.curve.at_vertices, x)
 
     def at_centres(self, values: ArrayLike) -> Array:
         """Values given per vertex at the centres of the edges, (n, ...): the mean of two."""
         return self._averaged(_core.curve.at_centres, values)
 
     def _averaged(self, average: Any, values: ArrayLike) -> Array:
-        x = np.asarray(values, dtype=np.float64)
+        x = array(values, "values")
         columns = x.reshape(len(x), -1) if x.ndim else x
         out = average(self.edge_lengths, columns, self.closed)
         return out.reshape((len(out), *x.shape[1:]))
@@ -318,14 +353,27 @@ class Polyline(Immutable):
 
         The same to the last bit for any number of threads. Raises ``ValueError`` where edges meet.
         """
-        return self._arc.writhe(threads)
+        if not self.closed and np.array_equal(self.positions[0], self.positions[-1]):
+            raise ValueError(
+                "positions: the last point is the first again; leave it out and make the polyline "
+                "with closed=True"
+            )
+        return self._arc.writhe(whole_number(threads, "threads"))
 
     def frenet_link(self, threads: int = 0) -> int:
         """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi.
 
-        Counts the arc's own crossings as long as it has no inflection. O(n^2).
+        Counts the arc's own crossings. Raises ``ValueError`` where the binormal turns by pi within
+        rounding, as at the inflections of a plane curve: there the ribbon has no sides. O(n^2).
         """
         self._require_closed("frenet_link")
+        at = inflections(self)
+        if len(at):
+            some = ", ".join(map(str, at[:8])) + (", ..." if len(at) > 8 else "")
+            raise ValueError(
+                f"frenet_link: on the edges {some} the binormal turns by pi within rounding, an "
+                "inflection, where the Frenet ribbon has no link; take writhe, or closed_ribbon"
+            )
         return whole(self.writhe(threads) + self.dihedral_angles.sum() / (2 * np.pi))
 
     def self_approach(self, threads: int = 0) -> Approach:
@@ -334,35 +382,16 @@ class Polyline(Immutable):
         Two edges count if the way between their centres is more than one and a half times as long
         along the arc as it is straight: on a circle, if they are nearly opposite.
         """
-        return Approach(*self._arc.self_approach(threads))
+        return Approach(*self._arc.self_approach(whole_number(threads, "threads")))
 
-    def approach(self, other: Polyline, threads: int = 0) -> Approach:
-        """Smallest distance between an edge of this and an edge of another. O(n m)."""
-        return Approach(*self._arc.approach(other._arc, threads))
+    def approach(self, other: Union[Polyline, ArrayLike], threads: int = 0) -> Approach:
+        """Smallest distance between an edge of this and an edge of another. O(n m).
+
+        Positions are taken for those of an open one.
+        """
+        arc = as_polyline(other, "other", closed=False)._arc
+        return Approach(*self._arc.approach(arc, whole_number(threads, "threads")))
 
     def _require_closed(self, what: str) -> None:
         if not self.closed:
             raise ValueError(f"{what}: only a closed polyline has one; make it with closed=True")
-
-
-def _optional(values: ArrayLike | None, name: str) -> Array | None:
-    return None if values is None else vector(values, name)
-
-
-def linking_number(a: Polyline, b: Polyline, threads: int = 0) -> int:
-    """How often two closed polylines wind around each other, by Gauss's integral. O(n m).
-
-    Raises ``ValueError`` where they meet. Positive for right-handed crossings.
-    """
-    a._require_closed("linking_number")
-    b._require_closed("linking_number")
-    return whole(a._arc.gauss_integral(b._arc, threads))
-
-
-def whole(value: float) -> int:
-    """The whole number that a sum of angles must be."""
-    if abs(value - round(value)) > 1e-6:
-        raise ArithmeticError(
-            f"expected a whole number, got {value}: edges come too near to each other for rounding"
-        )
-    return round(value)

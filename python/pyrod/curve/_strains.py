@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._immutable import Array
+from pyrod._arrays import Array, array, rows, yes_or_no
+from pyrod._immutable import vector
+from pyrod.rotation import as_frame, from_matrix, quaternions
 
 Measure = Literal["log", "chord", "cayley"]
 """The size of a turn by theta: theta, 2 sin(theta/2), or 2 tan(theta/2).
@@ -16,6 +18,14 @@ Measure = Literal["log", "chord", "cayley"]
 All agree to the third order in theta. "log" tells turns of frames up to 2 pi, the others up to pi;
 a chord is at most 2, "cayley" goes to infinity at pi.
 """
+
+
+def checked_measure(measure: Any, *also: str) -> Any:
+    """The name of a measure; refuses what is none."""
+    names = ("log", "chord", "cayley", *also)
+    if not isinstance(measure, str) or measure not in names:
+        raise ValueError(f"measure: expected one of {', '.join(names)}, got {measure!r}")
+    return measure
 
 
 def strains(
@@ -50,14 +60,19 @@ def strains(
     or more).
     """
     return _core.curve.strains(
-        np.asarray(edge_lengths, dtype=np.float64),
-        np.asarray(positions, dtype=np.float64),
-        np.asarray(frames, dtype=np.float64),
-        start_frame,
-        end_frame,
-        measure,
-        closed,
+        array(edge_lengths, "edge_lengths"),
+        rows(positions, "positions", 3),
+        _rows_of_frames(frames),
+        None if start_frame is None else as_frame(start_frame, "start_frame"),
+        None if end_frame is None else as_frame(end_frame, "end_frame"),
+        checked_measure(measure),
+        yes_or_no(closed, "closed"),
     )
+
+
+def _rows_of_frames(frames: Any) -> Array:
+    q = quaternions(frames, "frames")
+    return from_matrix(q) if q.shape[1:] == (3, 3) else rows(q, "frames", 4)
 
 
 def reconstruct(
@@ -75,14 +90,14 @@ def reconstruct(
     the frame of the end (4,). ``Gamma`` defaults to (0, 0, 1) on every edge: neither sheared nor
     stretched.
     """
-    h = np.asarray(edge_lengths, dtype=np.float64)
+    h = array(edge_lengths, "edge_lengths")
     if Gamma is None:
         Gamma = np.tile([0.0, 0.0, 1.0], (h.size, 1))
     return _core.curve.reconstruct(
         h,
-        np.asarray(K, dtype=np.float64),
-        np.asarray(Gamma, dtype=np.float64),
-        np.asarray(position, dtype=np.float64),
-        np.asarray(frame, dtype=np.float64),
-        measure,
+        rows(K, "K", 3),
+        rows(Gamma, "Gamma", 3),
+        vector(position, "position"),
+        as_frame(frame, "frame"),
+        checked_measure(measure),
     )

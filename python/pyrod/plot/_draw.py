@@ -57,6 +57,8 @@ def draw(
     ImportError : matplotlib is not installed: ``pip install 'pyrod[plot]'``.
     """
     need("matplotlib.pyplot", "plot")
+    if "color_by" in style:
+        raise TypeError("color_by: it is written colour_by")
     if what not in ("shape", "stability", *PANELS):
         raise ValueError(
             f"what: expected one of shape, {', '.join(PANELS)}, stability, got {what!r}"

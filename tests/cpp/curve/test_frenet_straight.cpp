@@ -129,3 +129,14 @@ TEST_CASE("bends of no more than `straight` count as none") {
   CHECK(angles(Arc{r}, 2 * small).head(2).cwiseAbs().maxCoeff() < small * small);
   CHECK(std::abs(angles(Arc{r})[1]) > 1.5);
 }
+
+TEST_CASE("every vertex may have its own `straight`") {
+  const double small = 1e-3;
+  const Points r = walk({x, x + small * y, x + small * y + small * z, y, z});
+  Vector straight = Vector::Zero(Eigen::Index(r.size()));
+  straight[2] = 2 * small;
+  const auto b = binormals(Arc{r}, straight);
+  CHECK(distance(b[1], z) < 1e-15);      // bent
+  CHECK(distance(b[2], z) < 2 * small);  // carried there, not its own
+  CHECK_THROWS_AS(binormals(Arc{r}, Vector::Zero(2)), InvalidArgument);
+}

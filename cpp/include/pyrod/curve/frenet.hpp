@@ -32,14 +32,16 @@ inline Vec3 any_normal(const Vec3& t) {
 
 /// b_j, the unit axes of the turns; defined at every vertex.
 ///
-/// A vertex is straight if it turns by no more than `straight` [rad] or than its rounded position
-/// could turn it. It has no axis of its own and takes its predecessor's by parallel transport, so
-/// that torsion vanishes along straight stretches and the whole dihedral angle between two bent
-/// vertices falls on the edge into the second. Straight vertices at the start take the axis of the
-/// first bent one (closed arc: of the last). Where an arc in a plane bends the other way its
-/// binormal turns by π; a straight arc gets one of its normals.
-inline std::vector<Vec3> binormals(const Arc& arc, double straight = 0) {
+/// A vertex is straight if it turns by no more than its `straight` [rad] or than its rounded
+/// position, a double, could turn it. It has no axis of its own and takes its predecessor's by
+/// parallel transport, so that torsion vanishes along straight stretches and the whole dihedral
+/// angle between two bent vertices falls on the edge into the second. Straight vertices at the
+/// start take the axis of the first bent one (closed arc: of the last). Where an arc in a plane
+/// bends the other way its binormal turns by π; a straight arc gets one of its normals.
+inline std::vector<Vec3> binormals(const Arc& arc, const Vector& straight) {
   const int n = arc.vertices();
+  require(straight.size() == n, "straight: expected ", n, ", one per vertex, got ",
+          straight.size());
   std::vector<Vec3> b(n);
   int first = -1;
   const auto transport = [&](const Vec3& v, int j, bool back) {
@@ -48,7 +50,7 @@ inline std::vector<Vec3> binormals(const Arc& arc, double straight = 0) {
   };
   for (int j = 0; j < n; ++j) {
     const Turning turning = arc.turning(j);
-    const bool bent = !turning.straight(std::max(straight, arc.rounding(j)));
+    const bool bent = !turning.straight(std::max(straight[j], arc.rounding(j)));
     if (first < 0 && bent) first = j;
     if (first >= 0) b[j] = bent ? turning.binormal() : transport(b[j - 1], j, false);
   }
@@ -61,6 +63,11 @@ inline std::vector<Vec3> binormals(const Arc& arc, double straight = 0) {
     for (int j = first; j-- > 0;) b[j] = transport(b[j + 1], j + 1, true);
   }
   return b;
+}
+
+/// The same with one angle for all vertices.
+inline std::vector<Vec3> binormals(const Arc& arc, double straight = 0) {
+  return binormals(arc, Vector::Constant(arc.vertices(), straight));
 }
 
 /// α_{j+1/2} in (−π, π], the angle about the edge from one binormal to the next.
