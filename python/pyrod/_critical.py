@@ -15,7 +15,7 @@ from pyrod._immutable import Array, Immutable
 from pyrod._limit import limit_of
 from pyrod._path import Path
 from pyrod._reach import Reach
-from pyrod._solve import solve
+from pyrod._solve import doubts, solve
 from pyrod._state import Kind, Loss
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import AccuracyWarning
@@ -112,6 +112,7 @@ def critical_load(
     Warns
     -----
     AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
+    StrainWarning : as in `solve`.
     """
     growing = _growing(scene, loads)
     if not 0 < rtol < 0.1:
@@ -136,6 +137,8 @@ def _critical(path: Path, losses: list[Loss]) -> Critical:
                 "smooth inside an edge; give that place a vertex (Rod.with_vertices)"
             )
             warnings.warn(message, AccuracyWarning, stacklevel=3)
+    for category, message in doubts(first.at.result, stable=False):
+        warnings.warn(message, category, stacklevel=3)
     after = first.index_after
     return Critical(first.kind, factor, error, first.at.result, first.at.factor, after, path)
 

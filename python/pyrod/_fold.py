@@ -6,11 +6,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from pyrod._state import State
+from pyrod._state import State, turn_between
 
 APART = 1.02
 """Eigenvalues that are nearer to each other, relatively, tell too little."""
-UNSEEN = 0.01
+UNSEEN = 0.1
 """Of the way from the last equilibrium to the limit point: an error that is always told."""
 
 
@@ -24,15 +24,17 @@ def fold_of(states: list[State], unbalanced: float) -> tuple[float, float]:
 
     ``unbalanced`` : the change of the factor that a residual of 1 may stand for.
     """
+    falling = _falling(states)
+    rounding = [_rounding(*pair, unbalanced) for pair in pairwise(falling)]
     fits = [
-        (_at_zero(four), _at_zero(four[1:]), unbalanced * max(s.result.residual for s in four))
-        for four in _fours(_falling(states))
+        (_at_zero(falling[i : i + 4]), _at_zero(falling[i + 1 : i + 4]), max(rounding[i : i + 3]))
+        for i in range(len(falling) - 3)
     ]
     last = states[-1].factor
-    found = last + _to_zero(states)
+    found = last + _to_zero(falling)
     error = abs(found - last) + unbalanced * states[-1].result.residual
-    for (before, _, _), (four, three, rounding) in pairwise(fits):
-        spread = max(abs(four - three), abs(four - before)) + rounding
+    for (before, _, _), (four, three, rounded) in pairwise(fits):
+        spread = max(abs(four - three), abs(four - before)) + rounded
         if spread < error:
             found, error = four, spread
     return found, max(error, UNSEEN * abs(found - last))
@@ -47,8 +49,10 @@ def _falling(states: list[State]) -> list[State]:
     return falling[::-1]
 
 
-def _fours(states: list[State]) -> list[list[State]]:
-    return [states[i : i + 4] for i in range(len(states) - 3)]
+def _rounding(before: State, state: State, unbalanced: float) -> float:
+    """What the factor of a state may be off, as its residual and its last step tell."""
+    part = state.left / (turn_between(before, state) or np.inf)
+    return unbalanced * state.result.residual + part * abs(state.factor - before.factor)
 
 
 def _at_zero(states: list[State]) -> float:
@@ -61,9 +65,8 @@ def _at_zero(states: list[State]) -> float:
     return base + float(np.linalg.solve(x[:, None] ** powers, rise)[0])
 
 
-def _to_zero(states: list[State]) -> float:
+def _to_zero(falling: list[State]) -> float:
     """From the last state to where the square of the eigenvalue is zero, if that falls evenly."""
-    falling = _falling(states)
     if len(falling) < 2:
         return np.inf
     before, last = falling[-2:]

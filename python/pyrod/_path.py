@@ -5,13 +5,13 @@ from __future__ import annotations
 from math import inf, nan
 
 from pyrod._core import Options
-from pyrod._effects import largest_turn
 from pyrod._fold import fold_of
 from pyrod._immutable import Array
+from pyrod._jobs import How
 from pyrod._optional import need
 from pyrod._reach import Reach
-from pyrod._solve import solve
-from pyrod._state import Loss, State, halved
+from pyrod._solve import found
+from pyrod._state import Loss, State, halved, turn_between
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import NotConverged
 from pyrod.loads import sampled_load, scaled_load
@@ -71,8 +71,11 @@ class Path:
 
     def solved(self, factor: float, start: Equilibrium | Array | None) -> Equilibrium:
         """The equilibrium to which Newton's method leads from another."""
-        scene = self.scene(factor)
-        return solve(scene, self._options, start=start, stable=False, eigenvalue=True)
+        how = How(self._options, stable=False, eigenvalue=True, tol=None)
+        result = found(self.scene(factor), how, start=start)
+        if not result.converged:
+            raise NotConverged(result)
+        return result
 
     def _refuse_start(self) -> None:
         result = self.start.result
@@ -132,6 +135,8 @@ class Path:
                     return target
             elif new.result.index > 0:
                 return new
+            elif reach.is_senseless(new):
+                return None
             else:
                 states.append(new)
                 step = min(2 * step, GROWTH * new.factor, longest)
@@ -141,8 +146,8 @@ class Path:
         """What it means that no equilibrium is found under slightly larger loads."""
         last, (factor, error) = states[-1], fold_of(states, 2 * self.edges / reach.moment)
         bracket, distance = failed - last.factor, factor - last.factor
-        near = last.eigenvalue < SMALL * self.start.eigenvalue or distance <= NEAR * bracket
-        if near and distance <= FAR * last.factor:
+        gone = last.eigenvalue < SMALL * self.start.eigenvalue
+        if distance <= NEAR * bracket or (gone and distance <= FAR * last.factor):
             return Loss("limit point", last, None, factor, error, states)
         if reach.may_end(last.factor):
             return Loss("none", last, None, inf, nan, states)
@@ -184,6 +189,8 @@ class Path:
         for state in known.values():
             if abs(state.eigenvalue) < ZERO * self.start.eigenvalue:
                 return self._bifurcation(known, state.factor, states, above)
+        if states[-1].eigenvalue < 0:  # by less than the index is told by
+            return self._bifurcation(known, states[-1].factor, states, above)
         optimize = need("scipy.optimize", "all")
 
         def eigenvalue(factor: float) -> float:
@@ -227,10 +234,5 @@ def _goes_on(before: State, last: State, new: State, scale: float) -> bool:
     expected = last.eigenvalue + part * (last.eigenvalue - before.eigenvalue)
     if abs(new.eigenvalue - expected) > max(BEND * last.eigenvalue, ROUNDING * scale):
         return False
-    turn, expected = _turn(last, new), part * _turn(before, last)
+    turn, expected = turn_between(last, new), part * turn_between(before, last)
     return expected / FASTER - ROUNDING <= turn <= expected * FASTER + ROUNDING
-
-
-def _turn(a: State, b: State) -> float:
-    pairs = zip(a.result.rods, b.result.rods, strict=True)
-    return max(largest_turn(one, other) for one, other in pairs)

@@ -57,15 +57,18 @@ class Reach:
         if self._upper is not None:
             return state.factor >= self._upper
         stiffer = state.factor >= self._enough and state.eigenvalue > unloaded.eigenvalue
-        return stiffer or state.factor >= self._most or is_absurd(state.result)
+        return stiffer or state.factor >= self._most
+
+    def is_senseless(self, state: State) -> bool:
+        """Whether edges are turned inside out, or their shape means nothing."""
+        return self._upper is None and _is_absurd(state.result)
 
     def may_end(self, factor: float) -> bool:
         """Whether so many loads were tried that it is enough if more cannot be followed."""
         return self._upper is None and factor >= self._enough
 
 
-def is_absurd(result: Equilibrium) -> bool:
-    """Whether edges are turned inside out, or their shape means nothing."""
+def _is_absurd(result: Equilibrium) -> bool:
     for rod in result.rods:
         turn, _, stretch, _ = rod._source.doubts(rod.rod._rod)
         if stretch <= 0 or turn > pi:

@@ -6,6 +6,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from pyrod._effects import largest_turn
 from pyrod._immutable import Array
 from pyrod.equilibrium import Equilibrium, RodEquilibrium
 
@@ -20,9 +21,23 @@ class State(NamedTuple):
 
     @property
     def eigenvalue(self) -> float:
-        """The lowest of the second variation."""
-        assert self.result.lowest_eigenvalue is not None
-        return self.result.lowest_eigenvalue
+        """The lowest of the second variation; its sign, if it is all but zero, is the index's."""
+        value = self.result.lowest_eigenvalue
+        assert value is not None
+        return -abs(value) if self.result.index > 0 else value
+
+    @property
+    def left(self) -> float:
+        """The turn [rad] that Newton's method would still have made, by its last steps."""
+        steps = self.result.record["step"]
+        last, before = float(steps[-1]), float(steps[-2:][0])
+        return last**2 / (before - last) if last < before else last
+
+
+def turn_between(a: State, b: State) -> float:
+    """The largest turn of a frame [rad]."""
+    pairs = zip(a.result.rods, b.result.rods, strict=True)
+    return max(largest_turn(one, other) for one, other in pairs)
 
 
 class Loss(NamedTuple):
