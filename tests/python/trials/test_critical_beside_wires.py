@@ -11,7 +11,7 @@ from pyrod import Force, Hinge, Joint, Rod, Scene, Section, Slider, critical_loa
 def test_a_wire_beside_a_column_does_not_weaken_it() -> None:
     """The column keeps its length until it buckles under pi^2."""
     wire = Rod.straight(1.0, 16, Section(1e-6, 1e-6, 1e-6, EA=1e6))
-    rods = [Rod.straight(1.0, 16, ROUND), wire]
+    rods = [Rod.straight(1.0, 64, ROUND), wire]
     ends = [Joint(((0, x), (1, x)), "ball") for x in ("start", "end")]
     held = [Hinge(at=(0, "start")), Slider(Z, at=(0, "end"))]
     scene = Scene(rods, held, Force(-Z, at=(0, "end")), "planar", ends)
@@ -23,7 +23,7 @@ def test_a_wire_beside_a_column_does_not_weaken_it() -> None:
 def test_guys_hold_the_top_of_a_mast() -> None:
     """Unstressed guys bear nothing until the mast, hinged at its foot, buckles between its ends."""
     exact = 100 * np.pi**2
-    mast = Rod.straight(1.0, 32, Section(100, 100, 100))
+    mast = Rod.straight(1.0, 64, Section(100, 100, 100))
     guys = []
     for side in (-1, 1):
         along = np.array([side, 0, 1]) / np.sqrt(2)
