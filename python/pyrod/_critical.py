@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from math import inf, isfinite, nan, pi
+from math import inf, isfinite, nan
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
 from pyrod._arrays import number
 from pyrod._core import Options
-from pyrod._effects import on_its_grid
+from pyrod._grids import Grids
 from pyrod._immutable import Array, Immutable
-from pyrod._path import Kind, Loss, Path
-from pyrod._solve import solve
+from pyrod._limit import limit_of
+from pyrod._path import Path
+from pyrod._reach import Reach
+from pyrod._solve import doubts, solve
+from pyrod._state import Kind, Loss
 from pyrod.equilibrium import Equilibrium
-from pyrod.rotation import as_frames
+from pyrod.errors import AccuracyWarning
 from pyrod.scene import Scene, checked_scene
 
 
@@ -28,11 +30,12 @@ class Critical(Immutable):
     kind: Kind
     """"bifurcation": the equilibrium goes on, but is unstable; "limit point": it comes to an end,
     and the rod snaps; "none": it is stable up to the largest factor that was tried."""
-    factor: float  #: of the loads, extrapolated from two grids; infinite if there is none
-    error: float  #: estimate of the error of ``factor``: the difference to that of the finer grid
+    factor: float  #: of the loads, extrapolated from three grids; infinite if there is none
+    error: float
+    """Estimate of the error of ``factor``: that of the grids, and of the search on them."""
     equilibrium: Equilibrium
     """On the scene's edges, at their own critical load; of limit points, just below it; if there is
-    none, under the largest loads that were tried."""
+    none, under the largest loads that were tried. Edges are cut where something jumps inside."""
     grid_factor: float  #: of the loads of ``equilibrium``
     index_after: int | None  #: stability index above; None if there is no such equilibrium
     _path: Path = field(repr=False, compare=False)
@@ -81,15 +84,18 @@ def critical_load(
 
     The equilibrium is followed from that without the loads, in steps that are small where it
     changes fast; where its lowest eigenvalue passes zero, the root is found by Brent's method
-    (SciPy). All is done on the scene's edges and on these halved, and extrapolated. An imperfect
-    column bends more and more, but has no critical load.
+    (SciPy). All is done on the scene's edges, on these halved and halved again, and extrapolated.
+    Where a function of arc length jumps inside an edge, that is cut in two. An imperfect column
+    bends more and more, but has no critical load.
 
     Parameters
     ----------
     scene : a scene whose loads have a potential. Rods that leave their edges to the solver have
         those that it starts from.
-    upper : the largest factor that is tried; default: a hundred times that under which a hinged
-        column would buckle (pi^2 EI/L^2, softest bending, longest rod, sum of all loads).
+    upper : the largest factor that is tried; default: a hundred times that under which the
+        stiffest rod would buckle as a hinged column (pi^2 EI/L^2 of the shortest, sum of all
+        loads) if they make the scene stiffer, else as many as its edges can tell (4 EI/h^2), or
+        until they turn it inside out.
     loads : numbers of the loads that grow, in the order of the scene; default: all. The others act
         as they are.
     start : what the equilibrium without the growing loads is looked for from, an equilibrium or
@@ -102,7 +108,12 @@ def critical_load(
     ValueError : loads that follow the rods or have no potential otherwise; a scene that is
         unstable, or can move freely, without them.
     NotConverged : without the loads no equilibrium is found.
-    RuntimeError : the equilibrium cannot be followed, or two grids do not agree.
+    RuntimeError : the equilibrium cannot be followed, or the grids do not agree.
+
+    Warns
+    -----
+    AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
+    StrainWarning : as in `solve`.
     """
     growing = _growing(checked_scene(scene), loads)
     rtol = number(rtol, "rtol")
@@ -111,43 +122,28 @@ def critical_load(
     upper = None if upper is None else number(upper, "upper")
     if upper is not None and not (isfinite(upper) and upper > 0):
         raise ValueError(f"upper: must be positive and finite, got {upper}")
-    guess = _hinged(scene, growing)
-    upper = 100 * guess if upper is None else upper
-    grids = on_its_grid(scene._ladder.scene), scene._ladder._at(1)
-    frames = _frames(start)
-    starts = frames, None if frames is None else np.repeat(frames, 2, axis=0)
-    paths = [
-        Path(grid, growing, options or Options(), on)
-        for grid, on in zip(grids, starts, strict=True)
-    ]
-    coarse, fine = (path.loss(upper, min(guess, upper) / 16, rtol) for path in paths)
-    if coarse.kind != fine.kind:
-        raise RuntimeError(
-            f"on the scene's edges there is {_told(coarse)}, on these halved {_told(fine)}; give "
-            "rods more edges"
-        )
-    return _critical(paths[0], coarse, fine)
+    grids = Grids(scene, growing, options or Options(), start)
+    reach = Reach(grids.first, growing, upper)
+    return _critical(grids.path(0), grids.losses(reach, rtol))
 
 
-def _critical(path: Path, coarse: Loss, fine: Loss) -> Critical:
-    at = coarse.at
+def _critical(path: Path, losses: list[Loss]) -> Critical:
+    first = losses[0]
     factor, error = inf, nan
-    if coarse.kind != "none":
-        change = (fine.at.factor - at.factor) / 3  # errors are of second order
-        factor, error = fine.at.factor + change, abs(change)
-    return Critical(coarse.kind, factor, error, at.result, at.factor, coarse.index_after, path)
-
-
-def _frames(start: Equilibrium | ArrayLike | None) -> Array | None:
-    if start is None:
-        return None
-    if isinstance(start, Equilibrium):
-        return np.vstack([rod.frames for rod in start.rods])
-    return as_frames(start, "start")
-
-
-def _told(loss: Loss) -> str:
-    return "none" if loss.kind == "none" else f"a {loss.kind} at a factor of {loss.at.factor:.6g}"
+    if first.kind != "none":
+        limit = limit_of([loss.factor for loss in losses], [loss.error for loss in losses])
+        factor, error = limit.value, limit.error
+        if limit.order is not None:
+            message = (
+                f"the critical loads of the grids converge with order {limit.order:.2g} instead "
+                "of 2, so that of the finest is told: a load, a section or the curvature is not "
+                "smooth inside an edge; give that place a vertex (Rod.with_vertices)"
+            )
+            warnings.warn(message, AccuracyWarning, stacklevel=3)
+    for category, message in doubts(first.at.result, stable=False):
+        warnings.warn(message, category, stacklevel=3)
+    after = first.index_after
+    return Critical(first.kind, factor, error, first.at.result, first.at.factor, after, path)
 
 
 def _growing(scene: Scene, loads: Iterable[int] | None) -> frozenset[int]:
@@ -161,6 +157,7 @@ def _growing(scene: Scene, loads: Iterable[int] | None) -> frozenset[int]:
             "of motion, not of energy"
         )
     return growing
+<<<<<<< HEAD
 
 
 def _hinged(scene: Scene, growing: frozenset[int]) -> float:
@@ -180,3 +177,5 @@ def _size(loads: _core.Loads, length: float) -> float:
     moments = loads.moment, loads.start_moment[None], loads.end_moment[None]
     sums = [np.linalg.norm(values, axis=1).sum() for values in (loads.force, *moments)]
     return float(sums[0] + sum(sums[1:]) / length)
+=======
+>>>>>>> f804d8ad7d3480bb7571a07fadc03eec98512843

@@ -9,7 +9,8 @@ import numpy as np
 
 from pyrod._arrays import array
 from pyrod._law import Made
-from pyrod.loads import DistributedForce, DistributedMoment
+from pyrod._places import with_vertices
+from pyrod.loads import DistributedForce, DistributedMoment, stepwise_load
 
 if TYPE_CHECKING:
     from pyrod.rod import Rod
@@ -27,6 +28,21 @@ def hidden_jump(scene: Scene) -> str | None:
             if np.abs(rod.arc_lengths - s).min() > 1e-9 * rod.length:
                 return f"{name} jumps at {s:.6g}, inside an edge"
     return None
+
+
+def with_jumping_vertices(scene: Scene) -> Scene:
+    """The scene with vertices at the jumps that are found, which then are no harm."""
+    numbers = {id(rod): number for number, rod in enumerate(scene.rods)}
+    places = [
+        (numbers[id(rod)], s)
+        for _, rod, function in _functions(scene)
+        for s in _jumps(function, rod.length)
+    ]
+    if not places:
+        return scene
+    loads = [stepwise_load(load, scene.rods) for load in scene.loads]
+    rods = with_vertices(scene.rods, places)
+    return type(scene)(rods, scene.supports, loads, scene.space, scene.joints)
 
 
 def _functions(scene: Scene) -> Iterator[tuple[str, Rod, Callable[[float], Any]]]:

@@ -104,12 +104,12 @@ class Section:
     @property
     def bending(self) -> Array:
         """(EI1, EI2, GJ), the diagonal of C_bt in Linn (49)."""
-        return np.array([self.EI1, self.EI2, self.GJ])
+        return np.array([self.EI1, self.EI2, self.GJ], dtype=np.float64)
 
     @property
     def stretching(self) -> Array:
         """(GA1, GA2, EA), the diagonal of C_es in Linn (51)."""
-        return np.array([self.GA1, self.GA2, self.EA])
+        return np.array([self.GA1, self.GA2, self.EA], dtype=np.float64)
 
     @property
     def model(self) -> Model:
