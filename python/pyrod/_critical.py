@@ -157,25 +157,3 @@ def _growing(scene: Scene, loads: Iterable[int] | None) -> frozenset[int]:
             "of motion, not of energy"
         )
     return growing
-<<<<<<< HEAD
-
-
-def _hinged(scene: Scene, growing: frozenset[int]) -> float:
-    """The factor under which a hinged column would buckle."""
-    length = max(rod.length for rod in scene.rods)
-    bending = min(rod.bending[:, :2].min() for rod in scene.rods)
-    acting = tuple(_core.Loads(rod._rod) for rod in scene.rods)
-    for load in growing:
-        scene.loads[load]._apply(acting, scene.rods)
-    sizes = [_size(on, length) for on in acting]
-    if sum(sizes) == 0:
-        raise ValueError("loads: all that are to grow are zero")
-    return pi**2 * bending / length**2 / sum(sizes)
-
-
-def _size(loads: _core.Loads, length: float) -> float:
-    moments = loads.moment, loads.start_moment[None], loads.end_moment[None]
-    sums = [np.linalg.norm(values, axis=1).sum() for values in (loads.force, *moments)]
-    return float(sums[0] + sum(sums[1:]) / length)
-=======
->>>>>>> f804d8ad7d3480bb7571a07fadc03eec98512843

@@ -14,7 +14,9 @@ import pyrod
 from pyrod import Clamp, Force, Gravity, Hinge, Joint, Material, Rod, Scene, Section, Slider
 
 
-def wire_between(radius: float, strain: float, **solving: object) -> tuple[float, pyrod.Equilibrium]:
+def wire_between(
+    radius: float, strain: float, **solving: object
+) -> tuple[float, pyrod.Equilibrium]:
     """A straight steel wire of 1 m, stretched between clamps, and the force that it must have."""
     wire = Section.circle(radius, Material(E=200e9))
     apart = 1 + strain
