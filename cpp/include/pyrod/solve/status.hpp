@@ -13,6 +13,7 @@ enum class Status {
   not_finite,
   interrupted,
   too_coarse,
+  taut,
   not_accurate
 };
 
@@ -30,6 +31,8 @@ constexpr std::string_view name(Status status) {
       return "interrupted";
     case Status::too_coarse:
       return "too_coarse";
+    case Status::taut:
+      return "taut";
     case Status::not_accurate:
       return "not_accurate";
   }
@@ -58,6 +61,11 @@ constexpr std::string_view advice(Status status) {
       return "neighbouring edges came to differ by nearly half a turn or more, so that the shape "
              "means "
              "nothing: use more edges where the rod turns most";
+    case Status::taut:
+      return "a rod that cannot stretch is held at two points that are as far apart as the rod "
+             "between them is long, so that no force holds it against loads across it, and none is "
+             "told along it: give it a finite EA, let one of the supports slide, or bring them "
+             "nearer";
     case Status::not_accurate:
       return "the tolerance was not reached within max_edges, or above rounding: the errors that "
              "were "

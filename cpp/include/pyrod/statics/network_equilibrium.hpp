@@ -81,7 +81,7 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
   }
 
   /// Turns carry errors of a few ulp, which the stiffest cell and the force make moments of; a
-  /// span's reach is the sum of its edges, and so long.
+  /// span's reach is the sum of its edges, whose errors add up at random.
   void rounding(const State& x, Vector& out) const {
     constexpr double ε = 16 * std::numeric_limits<double>::epsilon();
     out.setZero(weights_.size());
@@ -91,13 +91,13 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
       const double n = force_size(x, now, p), unit = layout_.span_moment(p);
-      const double edge = unit * n / (span.last - span.first),
-                   row = ε * (stiffest_[span.rod] + edge);
+      const int edges = span.last - span.first;
+      const double row = ε * (stiffest_[span.rod] + unit * n / (4 * edges));
       most = std::max(most, row);
-      out.segment(first_row(layout_.edge(span.rod, span.first)), spin * (span.last - span.first))
-          .setConstant(row);
+      out.segment(first_row(layout_.edge(span.rod, span.first)), spin * edges).setConstant(row);
       if (span.block >= 0)
-        out.segment(first_[span.block], layout_.sizes()[span.block]).setConstant(ε * unit);
+        out.segment(first_[span.block], layout_.sizes()[span.block])
+            .setConstant(ε * unit * (1 + std::sqrt(edges) / 8));
     }
     for (int k = first_[layout_.first_node_block()]; k < first_.back(); ++k) out[k] = most;
   }

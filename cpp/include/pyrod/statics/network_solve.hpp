@@ -69,7 +69,8 @@ class NetworkSolver {
       const Layout<Space>& to = i + 1 < coarser.size() ? *coarser[i + 1] : *fine_;
       at_level(to, refined(*coarser[i], out_.state, to), Curvature::exact, false);
     }
-    if (!converged() && !coarser.empty() && out_.status != Status::interrupted)
+    if (!converged() && !coarser.empty() && out_.status != Status::interrupted &&
+        out_.status != Status::taut)
       at_level(*fine_, start, Curvature::convex, true);
     return finished();
   }
@@ -112,7 +113,9 @@ class NetworkSolver {
     Problem problem(layout);
     SaddleNewton<Problem> newton(problem, options_, trace_, more_.stable);
     keep(newton.solve(start, first, estimate));
-    if (resort && !converged() && out_.status != Status::interrupted)
+    if (out_.status != Status::interrupted && cannot_hold(layout))
+      out_.status = Status::taut;
+    else if (resort && !converged() && out_.status != Status::interrupted)
       bring_on_loads(problem, newton, start);
     for (int i = 0; i < 6 && more_.stable && converged() && out_.index > 0; ++i)
       if (!descend(problem, newton)) break;
@@ -209,10 +212,34 @@ class NetworkSolver {
     return false;
   }
 
+  /// Whether a span that cannot stretch is as long as its ends, which are held, are apart, and no
+  /// force was found in it, or one beyond all that acts.
+  bool cannot_hold(const Layout<Space>& layout) const {
+    const auto& net = layout.network();
+    double load = 0;
+    for (const auto& node : net.nodes) load += node.force.norm();
+    for (const auto& loads : net.loads)
+      for (const auto& F : loads.force) load += F.norm();
+    for (int p = 0; p < int(layout.spans().size()); ++p) {
+      const auto& span = layout.spans()[p];
+      const double most = 1e4 * (load + layout.unit_force(p));
+      if (converged() && !(out_.state.forces[p].norm() > most)) continue;
+      const auto &a = net.nodes[span.start], &b = net.nodes[span.end];
+      if (a.free.cols() > 0 || b.free.cols() > 0) continue;
+      const auto& rod = net.rods[span.rod];
+      double length = 0, give = 0;
+      for (int j = span.first; j < span.last; ++j)
+        length += rod.grid.h(j), give += 1 / rod.stretching[j][Space::dim - 1];
+      if (give == 0 && (b.position - a.position).norm() > length * (1 - 1e-9)) return true;
+    }
+    return false;
+  }
+
   NetworkResult<Space> finished() {
     const Problem problem(*fine_);
     if (int(out_.state.frames.size()) != fine_->edges()) out_.state = Start<Space>(*fine_).state();
-    if (!converged() && out_.status != Status::interrupted && largest_turn() > 2.5)
+    if (!converged() && out_.status != Status::interrupted && out_.status != Status::taut &&
+        largest_turn() > 2.5)
       out_.status = Status::too_coarse;
     out_.solution = Recovery<Space>(problem, out_.state).solution();
     return std::move(out_);
