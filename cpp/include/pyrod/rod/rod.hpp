@@ -31,12 +31,11 @@ struct Rod {
 
   /// Refuses what no rod can be made of, naming the place and the remedy.
   void check() const {
-    const int n = edges();
-    require(!grid.closed(), "grid: a rod needs an open grid");
-    require_count(Eigen::Index(bending.size()), n + 1, "bending", "one per vertex");
+    const int n = edges(), vertices = grid.vertices();
+    require_count(Eigen::Index(bending.size()), vertices, "bending", "one per vertex");
     require_count(Eigen::Index(stretching.size()), n, "stretching", "one per edge");
-    require_count(Eigen::Index(K0.size()), n + 1, "K0", "one per vertex");
-    for (int j = 0; j <= n; ++j) {
+    require_count(Eigen::Index(K0.size()), vertices, "K0", "one per vertex");
+    for (int j = 0; j < vertices; ++j) {
       require((bending[j].array() > 0).all() && bending[j].allFinite(), "bending[", j,
               "]: stiffnesses must be positive and finite, got ", bending[j].transpose());
       require(K0[j].allFinite(), "K0[", j, "]: expected finite numbers, got ", K0[j].transpose());
