@@ -100,20 +100,6 @@ TEST_CASE("frames alone place the nodes, and a solution starts itself") {
       CHECK(again.result.record.size() <= 4);
     }
   }
-  Random random(4);
-  for (const bool closed : {false, true}) {
-    const auto net = random_network<Planar>(random, {.closed = closed});
-    const Layout<Planar> layout(net);
-    const auto found = solved(net);
-    REQUIRE(found.status == Status::converged);
-    NetworkStart start;
-    for (const auto& q : found.state.frames) start.frames.push_back(embed(q));
-    const Clamp here;
-    const auto x = StateNear<Planar>(layout, here, net.nodes.size()).state(start);
-    for (std::size_t v = 0; v < net.nodes.size(); ++v)  // but for stretch, and half an edge's turn
-      CHECK(distance(x.node_frames[v], found.state.node_frames[v]) < 1);
-    CHECK(distance(x.frames, found.state.frames) < 1e-14);
-  }
 }
 
 TEST_CASE_TEMPLATE("a support that has moved holds where it is now, whatever it starts from", Space,

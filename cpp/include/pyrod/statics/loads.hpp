@@ -193,10 +193,9 @@ struct Loads {
   void check() const {
     check_lists();
     check_followers();
-    Point<Space> n = Point<Space>::Zero();
-    for (std::size_t j = force.size(); j-- > 0;)
-      require((n += force[j]).allFinite(), "loads: the section force is not finite, ",
-              n.transpose());
+    Point<Space> n = Point<Space>::Zero();  // what is not finite leaves no sum finite
+    for (std::size_t j = force.size(); j-- > 0;) n += force[j];
+    require(n.allFinite(), "loads: the section force is not finite, ", n.transpose());
     Spin<Space> m = end_couple;
     for (std::size_t j = couple.size(); j-- > 0;) m += couple[j];
     m += start_couple;
