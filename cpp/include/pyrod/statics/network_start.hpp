@@ -6,6 +6,8 @@
 #include <pyrod/statics/rod_solution.hpp>
 #include <pyrod/statics/start.hpp>
 
+#include <optional>
+
 namespace pyrod {
 
 /// In space. Frames alone are enough: nodes are then placed by the rods that hang on them.
@@ -55,14 +57,14 @@ class StateNear {
     NetworkState<Space> x = Start<Space>(layout_).state();
     x.frames = restricted<Space>(start.frames, here_.frame);
     std::vector<char> known(x.positions.size(), false);
-    for (std::size_t v = 0; v < known.size(); ++v) known[v] = node(v).free.cols() == 0;
-    for (std::size_t v = 0; v < start.positions.size(); ++v) {
-      known[v] = true;
-      place(v, restrict_point<Space>(unrotate(here_.frame, start.positions[v] - here_.position)),
-            x);
-      turn(v, restrict_rotation<Space>(here_.frame.conjugate() * start.node_frames[v]), x);
+    const auto by_rods = turned_by_rods(x);
+    for (std::size_t v = 0; v < known.size(); ++v) {
+      known[v] = node(v).free.cols() == 0;
+      if (v < start.positions.size())
+        set(v, start, by_rods[v], x), known[v] = true;
+      else if (by_rods[v])
+        turn(v, *by_rods[v], x);
     }
-    if (start.positions.empty()) turn_with_rods(x);
     place_by_rods(known, x);
     return x;
   }
@@ -95,6 +97,15 @@ class StateNear {
         node(v).position + F * (F.transpose() * (r - node(v).position)) / (unit * unit);
   }
 
+  /// A node as it is given. Its frame goes along with the rods', which may have gone round.
+  void set(std::size_t v, const NetworkStart& start, const std::optional<Rotation>& by_rods,
+           NetworkState<Space>& x) const {
+    place(v, restrict_point<Space>(unrotate(here_.frame, start.positions[v] - here_.position)), x);
+    auto q = restrict_rotation<Space>(here_.frame.conjugate() * start.node_frames[v]);
+    if (by_rods) q = *by_rods * principal(by_rods->conjugate() * q);
+    turn(v, q, x);
+  }
+
   /// Turns a node to q about the axes that it is free to turn about.
   void turn(std::size_t v, const Rotation& q, NetworkState<Space>& x) const {
     const auto& T = node(v).turns;
@@ -110,15 +121,14 @@ class StateNear {
       if (W.w() < 0) x.node_frames[v].coeffs() *= -1;
   }
 
-  /// Frames of nodes from those of the edges that are fixed to them.
-  void turn_with_rods(NetworkState<Space>& x) const {
-    std::vector<char> turned(x.node_frames.size(), false);
+  /// Frames of nodes from those of the edges that are fixed to them; none: no edge is.
+  std::vector<std::optional<Rotation>> turned_by_rods(const NetworkState<Space>& x) const {
+    std::vector<std::optional<Rotation>> out(x.node_frames.size());
     for (int rod = 0; rod < int(layout_.network().rods.size()); ++rod)
-      for (const auto& a : layout_.attached(rod)) {
-        if (!a.rigid || a.hinge || turned[a.node]) continue;
-        turned[a.node] = true;
-        turn(a.node, vertex_frame_of(rod, a.vertex, x) * a.relative.conjugate(), x);
-      }
+      for (const auto& a : layout_.attached(rod))
+        if (a.rigid && !a.hinge && !out[a.node])
+          out[a.node] = vertex_frame_of(rod, a.vertex, x) * a.relative.conjugate();
+    return out;
   }
 
   /// Between the edges; at an end, as if the last half edge were bent as at rest.
