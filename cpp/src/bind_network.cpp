@@ -8,15 +8,6 @@ namespace pyrod::bind {
 
 namespace {
 
-/// Strains that the model excludes are rigid.
-Rod<Spatial> masked(Rod<Spatial> rod, ModelKind model) {
-  for (auto& C : rod.stretching) {
-    if (model != ModelKind::cosserat) C[0] = C[1] = Section::rigid;
-    if (model == ModelKind::inextensible) C[2] = Section::rigid;
-  }
-  return rod;
-}
-
 /// k orthonormal directions, (k, 3), as columns.
 Directions<3> directions(const Array& rows, const char* name) {
   Directions<3> out(3, rows.shape(0));
@@ -62,7 +53,7 @@ void network(py::module_& module) {
           "add_rod",
           [](Network<Spatial>& net, const Rod<Spatial>& rod, ModelKind model,
              const GridLoads& loads, const Array& position, const Array& frame) {
-            net.rods.push_back(masked(rod, model));
+            net.rods.push_back(in_model(rod, model));
             net.loads.push_back(loads.loads);
             net.placements.push_back({vector3(position, "position"), quaternion(frame, "frame")});
           },

@@ -75,9 +75,12 @@ Job cantilever_job(const py::object& rod, Dimension dimension, ModelKind model,
   const auto frames = start_frames(start, of.edges());
   const int unknowns = of.edges() * (dimension == Dimension::spatial ? 3 : 1);
   const auto work = [=, &of, &under](const Trace& trace) -> Outcome {
-    return {
-        scene_solution(solve(of, dimension, model, clamp, under, frames, options, trace), unknowns),
-        {}};
+    auto found = in_space(dimension, [&]<class Space>(Space) {
+      return with_model(model, [&]<class Model>(Model) {
+        return solve<Space, Model>(of, clamp, under, frames, options, trace);
+      });
+    });
+    return {scene_solution(std::move(found), unknowns), {}};
   };
   return {work, {rod, loads}};
 }

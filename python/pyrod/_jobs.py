@@ -41,7 +41,7 @@ class Job:
         self.how = how._replace(tol=checked_tolerance(how.tol))
         self.scene = scene if how.tol is None else scene._ladder.scene
         self.network = not (self.scene.is_cantilever and how.stable and not how.eigenvalue)
-        self.compiled = self._compiled(_start(start, self.scene))
+        self.compiled = self._compiled(_start(start, self.scene, self.network))
 
     def _compiled(self, start: tuple[Any, ...] | None) -> _core.Job:
         scene, (options, stable, eigenvalue, tol) = self.scene, self.how
@@ -112,14 +112,45 @@ def checked_tolerance(tol: float | None) -> float | None:
     return value
 
 
-def _start(start: Equilibrium | ArrayLike | None, scene: Scene) -> tuple[Any, ...] | None:
+def _start(
+    start: Equilibrium | ArrayLike | None, scene: Scene, network: bool
+) -> tuple[Any, ...] | None:
     if start is None:
         return None
     if isinstance(start, Equilibrium):
+        _refuse_other_edges(start, scene)
         frames = np.vstack([rod.frames for rod in start.rods])
-        return (frames, *(start._nodes or _NO_NODES))
+        return (frames, *(_nodes_near(start, scene) if network else _NO_NODES))
     frames = as_frames(start, "start")
     if len(scene.rods) == 1:
         first = scene.clamp_frame if scene.supports else frames[0]
         frames = continued(np.vstack([first, frames]))[1:]
     return (frames, *_NO_NODES)
+
+
+def _refuse_other_edges(start: Equilibrium, scene: Scene) -> None:
+    had = [len(rod.frames) for rod in start.rods]
+    edges = [rod.edges for rod in scene.rods]
+    if had != edges:
+        expected, got = (", ".join(map(str, counts)) for counts in (edges, had))
+        raise ValueError(
+            f"start: expected {expected} rows, as many as the rods have edges, got {got}; a "
+            "support or a joint between two vertices gives its rod one more"
+        )
+
+
+def _nodes_near(start: Equilibrium, scene: Scene) -> tuple[Any, Any]:
+    """Positions and frames of the scene's nodes in an equilibrium, perhaps of another scene.
+
+    A node is matched by what it is, see `Network.places`; others are placed by the rods.
+    """
+    known: dict[tuple[int, float], tuple[Any, Any]] = {}
+    if start._nodes is not None:
+        places = start.scene._network.places()
+        known = dict(zip(places, zip(*start._nodes, strict=True), strict=False))  # free ends: none
+    found = []
+    for place, (i, j) in zip(scene._network.places(), scene._network.points, strict=True):
+        rod = start.rods[i]
+        found.append(known.get(place, (rod.positions[j], rod.vertex_frames[j])))
+    positions, frames = zip(*found, strict=True)
+    return np.array(positions), np.array(frames)

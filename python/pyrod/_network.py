@@ -55,6 +55,7 @@ class Network:
                 rod._rod, _core.Model.__members__[rod.model], loads, position, frame
             )
         self.node_of: dict[Point, int] = {}
+        self.points: list[Point] = []
         for node in nodes:
             self._add(node)
 
@@ -122,6 +123,7 @@ class Network:
             turns,
             *springs,
         )
+        self.points.append(first)
         for point in node.points:
             self.node_of[point] = index
             rigid = node.rigid or (holds and point == node.held)
@@ -150,6 +152,11 @@ class Network:
             return np.array([1.0, 0.0, 0.0, 0.0])
         a, b = self._rest[first[0]].frame(first[1]), self._rest[point[0]].frame(point[1])
         return multiply(conjugate(a), b)
+
+    def places(self) -> list[tuple[int, float]]:
+        """What the nodes are: the rod whose cross-section gives the node its frame, and where."""
+        rods = self._scene.rods
+        return [(i, round(rods[i].arc_lengths[j] / rods[i].length, 9)) for i, j in self.points]
 
     def support_nodes(self) -> list[int]:
         """The node of each support of the scene."""

@@ -7,6 +7,7 @@
 #include <pyrod/curve/conversion.hpp>
 #include <pyrod/curve/link.hpp>
 #include <pyrod/rod/energy.hpp>
+#include <pyrod/rod/refinement.hpp>
 #include <pyrod/rod/section.hpp>
-#include <pyrod/statics/network_run.hpp>
-#include <pyrod/statics/solve.hpp>
+#include <pyrod/statics/cantilever_levels.hpp>
+#include <pyrod/statics/network_levels.hpp>

@@ -44,6 +44,17 @@ Climbed climb(CantileverLevels<Space, InextensibleKirchhoff>& levels,
 
 }  // namespace
 
+TEST_CASE("levels of a clamped rod refuse loads that follow it") {
+  const auto follow = [](int level) {
+    int made = 0;
+    auto out = loaded(level, made);
+    out.loads.add_following_force(out.rod.grid, {0, 2, 0}, 1);
+    return out;
+  };
+  CantileverLevels<Spatial, InextensibleKirchhoff> levels(follow, Clamp{});
+  CHECK_REFUSED("loads: some follow the rod", climb<Spatial>(levels, {}, 1e-6));
+}
+
 TEST_CASE_TEMPLATE("the elastica to 1e-10, twice from levels made once", Space, Planar, Spatial) {
   int made = 0;
   CantileverLevels<Space, InextensibleKirchhoff> levels(

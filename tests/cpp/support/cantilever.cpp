@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/cantilever.hpp"
 
+#include "support/network.hpp"
+
 namespace pyrod::test {
 
 namespace {
@@ -36,8 +38,8 @@ INSTANTIATE(Spatial, InextensibleKirchhoff)
 
 Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
                          const Clamp& clamp, const Loads<Spatial>& loads,
-                         const std::vector<Quaternion>& start) {
-  return solve(rod, dimension, model, clamp, loads, start);
+                         const std::vector<Quaternion>& start, bool stable) {
+  return solve(rod, dimension, model, clamp, loads, start, {}, {}, stable);
 }
 
 template <class Space>

@@ -32,7 +32,7 @@ Solution<Space> solved(const Scene<Space>& scene, std::vector<typename Space::Ro
 /// pyrod::solve
 Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
                          const Clamp& clamp, const Loads<Spatial>& loads,
-                         const std::vector<Quaternion>& start = {});
+                         const std::vector<Quaternion>& start = {}, bool stable = true);
 
 /// Everything at once, in units of the length and of force EI/L²: stiffness and rest curvature vary
 /// along the rod, so do the edges; a force at the tip and one in the middle, weight, and couples.

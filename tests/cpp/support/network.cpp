@@ -109,3 +109,8 @@ INSTANTIATE(Spatial)
 #undef INSTANTIATE
 
 }  // namespace pyrod::test
+
+namespace pyrod {
+PYROD_TEST_RUN(, Planar)
+PYROD_TEST_RUN(, Spatial)
+}  // namespace pyrod

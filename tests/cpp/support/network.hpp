@@ -104,3 +104,13 @@ NetworkRun<Space> run_in(const Network<Spatial>& net, const Clamp& at = {},
                          const NetworkOptions& more = {});
 
 }  // namespace pyrod::test
+
+// Compiled once, in network.cpp.
+#define PYROD_TEST_RUN(prefix, Space)                                                            \
+  prefix template pyrod::NetworkRun<Space> pyrod::run<Space>(                                    \
+      const Network<Spatial>&, const Clamp&, const std::optional<NetworkStart>&, const Options&, \
+      const NetworkOptions&, const Trace&);
+namespace pyrod {
+PYROD_TEST_RUN(extern, Planar)
+PYROD_TEST_RUN(extern, Spatial)
+}  // namespace pyrod

@@ -2,7 +2,7 @@
 /// \file The few names for small vectors and matrices that every header uses.
 #pragma once
 
-#include <Eigen/Core>
+#include <pyrod/core/flags.hpp>
 
 namespace pyrod {
 

@@ -6,6 +6,7 @@
 #include <pyrod/rod/jump.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace pyrod {
@@ -31,25 +32,14 @@ struct Rod {
 
   /// Refuses what no rod can be made of, naming the place and the remedy.
   void check() const {
-    const int n = edges();
-    require(!grid.closed(), "grid: a rod needs an open grid");
-    require_count(Eigen::Index(bending.size()), n + 1, "bending", "one per vertex");
+    const int n = edges(), vertices = grid.vertices();
+    require_count(Eigen::Index(bending.size()), vertices, "bending", "one per vertex");
     require_count(Eigen::Index(stretching.size()), n, "stretching", "one per edge");
-    require_count(Eigen::Index(K0.size()), n + 1, "K0", "one per vertex");
-    for (int j = 0; j <= n; ++j) {
-      require((bending[j].array() > 0).all() && bending[j].allFinite(), "bending[", j,
-              "]: stiffnesses must be positive and finite, got ", bending[j].transpose());
-      require(K0[j].allFinite(), "K0[", j, "]: expected finite numbers, got ", K0[j].transpose());
-      const double turn = grid.Δs(j) * K0[j].norm();
-      require(turn < std::numbers::pi, "K0[", j, "]: the rod at rest turns by ", turn,
-              " rad at this vertex; use more edges, so that neighbours turn by less than pi");
-    }
+    require_count(Eigen::Index(K0.size()), vertices, "K0", "one per vertex");
+    if (!sound()) refuse();
     for (std::size_t i = 0; i < jumps.size(); ++i)
       require(jumps[i].vertex > (i == 0 ? 0 : jumps[i - 1].vertex) && jumps[i].vertex < n,
               "jumps: expected inner vertices in their order, got ", jumps[i].vertex);
-    for (int j = 0; j < n; ++j)
-      require((stretching[j].array() > 0).all(), "stretching[", j,
-              "]: stiffnesses must be positive (infinite: rigid), got ", stretching[j].transpose());
   }
 
   /// The frame at vertex j of a shape of the rod, see `vertex_frame`; where stiffness or rest
@@ -78,6 +68,36 @@ struct Rod {
     if (!grid.closed()) return reconstruct<Space>(grid, rest, r0, q0);
     rest.K.push_back(K0[0]);
     return reconstruct<Space>(Grid(grid.edge_lengths()), rest, r0, q0);
+  }
+
+ private:
+  /// Whether the numbers will do: the quick look that a good rod gets.
+  bool sound() const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < bending.size(); ++j) {
+      const double turn = grid.Δs(int(j)) * grid.Δs(int(j)) * K0[j].squaredNorm();
+      const auto C = bending[j].array();
+      if (!((C > 0).all() && (C < infinite).all() && turn < std::numbers::pi * std::numbers::pi))
+        return false;
+    }
+    for (const auto& C : stretching)
+      if (!(C.array() > 0).all()) return false;
+    return true;
+  }
+
+  /// Names the first number that will not do.
+  void refuse() const {
+    for (int j = 0; j < grid.vertices(); ++j) {
+      require((bending[j].array() > 0).all() && bending[j].allFinite(), "bending[", j,
+              "]: stiffnesses must be positive and finite, got ", bending[j].transpose());
+      require(K0[j].allFinite(), "K0[", j, "]: expected finite numbers, got ", K0[j].transpose());
+      const double turn = grid.Δs(j) * K0[j].norm();
+      require(turn < std::numbers::pi, "K0[", j, "]: the rod at rest turns by ", turn,
+              " rad at this vertex; use more edges, so that neighbours turn by less than pi");
+    }
+    for (int j = 0; j < edges(); ++j)
+      require((stretching[j].array() > 0).all(), "stretching[", j,
+              "]: stiffnesses must be positive (infinite: rigid), got ", stretching[j].transpose());
   }
 };
 

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <pyrod/rod/model.hpp>
-#include <pyrod/rotation/space.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rod/section.hpp>
 
 namespace pyrod {
 
@@ -28,6 +29,15 @@ auto with_model(ModelKind model, const F& f) {
       break;
   }
   return f(InextensibleKirchhoff{});
+}
+
+/// The rod with rigid what the model excludes: a network knows a model by infinite stiffness.
+inline Rod<Spatial> in_model(Rod<Spatial> rod, ModelKind model) {
+  for (auto& C : rod.stretching) {
+    if (model != ModelKind::cosserat) C[0] = C[1] = Section::rigid;
+    if (model == ModelKind::inextensible) C[2] = Section::rigid;
+  }
+  return rod;
 }
 
 }  // namespace pyrod

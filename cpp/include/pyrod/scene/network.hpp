@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/unit.hpp>
 #include <pyrod/statics/loads.hpp>
 
 #include <optional>
@@ -55,6 +56,67 @@ struct Network {
   std::vector<Loads<Space>> loads;           ///< one per rod
   std::vector<Node<Space>> nodes;
   std::vector<Attachment<Space>> attachments;
+
+  /// Refuses what is no network, naming what is wrong and where. Attachments may be in any order.
+  void check() const {
+    check_places();
+    for (std::size_t i = 0; i < rods.size(); ++i) check_rod(i);
+    for (std::size_t v = 0; v < nodes.size(); ++v) check_node(nodes[v], v);
+    for (const auto& a : attachments) check_attachment(a);
+  }
+
+  /// What must hold before anything is looked up: counts, and who hangs where.
+  void check_places() const {
+    require(!rods.empty(), "rods: expected at least one");
+    require_count(Eigen::Index(placements.size()), Eigen::Index(rods.size()), "placements",
+                  "one per rod");
+    require_count(Eigen::Index(loads.size()), Eigen::Index(rods.size()), "loads", "one per rod");
+    for (const auto& a : attachments) {
+      require(a.rod >= 0 && a.rod < int(rods.size()), "attachment: no rod ", a.rod);
+      require(a.node >= 0 && a.node < int(nodes.size()), "attachment: no node ", a.node);
+      require(a.vertex >= 0 && a.vertex < rods[a.rod].grid.vertices(), "attachment: rod ", a.rod,
+              " has no vertex ", a.vertex);
+    }
+  }
+
+ private:
+  void check_rod(std::size_t i) const {
+    try {
+      rods[i].check();
+      loads[i].check(rods[i].edges());
+    } catch (const InvalidArgument& refused) {
+      if (rods.size() == 1) throw;
+      throw InvalidArgument(text("rod ", i, ": ", refused.what()));
+    }
+    require(placements[i].position.allFinite(), "placements[", i,
+            "].position: expected finite numbers, got ", placements[i].position.transpose());
+    require_rotation(placements[i].frame, "placements[", i, "].frame");
+  }
+
+  static void check_node(const Node<Space>& node, std::size_t v) {
+    const auto finite = [v](const auto& numbers, const char* name) {
+      require(numbers.allFinite(), "nodes[", v, "].", name, ": expected finite numbers, got ",
+              numbers.transpose());
+    };
+    finite(node.position, "position"), finite(node.force, "force"), finite(node.moment, "moment");
+    require_rotation(node.frame, "nodes[", v, "].frame");
+    require_orthonormal(node.free, "nodes[", v, "].free");
+    require_orthonormal(node.turns, "nodes[", v, "].turns");
+    const auto stiffness = [v](double value, const char* name) {
+      require(std::isfinite(value) && value >= 0, "nodes[", v, "].", name,
+              ": a stiffness must be finite and not negative, got ", value);
+    };
+    stiffness(node.spring, "spring"), stiffness(node.torsion_spring, "torsion_spring");
+  }
+
+  static void check_attachment(const Attachment<Space>& a) {
+    require_rotation(a.relative, "attachment of vertex ", a.vertex, " of rod ", a.rod,
+                     ": relative");
+    if (a.hinge)
+      require(std::abs(a.hinge->squaredNorm() - 1) < 2 * unit_rounding, "attachment of vertex ",
+              a.vertex, " of rod ", a.rod, ": hinge: expected an axis of length 1, got ",
+              a.hinge->transpose());
+  }
 };
 
 }  // namespace pyrod

@@ -20,7 +20,9 @@ struct Solution : RodSolution<Space> {
   double energy() const { return this->bend_twist_energy + this->stretch_shear_energy; }
 };
 
-/// A rod whose start is held in position and frame, under dead loads.
+/// A rod whose start is held in position and frame, under dead loads: what follows the rod, and
+/// more supports, take a network (`held`). The equilibrium found may be a saddle, as its index
+/// tells.
 template <class Space, class Model>
 class Cantilever {
  public:
@@ -28,7 +30,16 @@ class Cantilever {
   using Frames = std::vector<Rotation>;
 
   Cantilever(Rod<Space> rod, const Point<Space>& r0, const Rotation& q0, Loads<Space> loads)
-      : rod_(std::move(rod)), r0_(r0), q0_(q0), loads_(std::move(loads)) {}
+      : rod_(std::move(rod)), r0_(r0), q0_(q0), loads_(std::move(loads)) {
+    require(!rod_.grid.closed(), "grid: a rod that is held at its start needs an open grid");
+    rod_.check();
+    loads_.check(rod_.edges());
+    require(!loads_.follow(),
+            "loads: some follow the rod, which only a network can; solve held(rod, clamp, loads), "
+            "or call solve(rod, dimension, model, clamp, loads), which does so");
+    require(r0_.allFinite(), "position: expected finite numbers, got ", r0_.transpose());
+    require_rotation(q0_, "frame");
+  }
 
   /// Frames of the edges in equilibrium, and how they were found.
   struct Found : Result<Frames> {
@@ -52,6 +63,7 @@ class Cantilever {
 
   /// From given frames of the edges, which are trusted to be near a solution.
   Found find(Frames frames, const Options& options = {}, const Trace& trace = {}) const {
+    require_frames(frames, rod_.edges(), "start");
     const Problem problem(rod_, q0_, loads_);
     return {Newton<Problem>(problem, options, trace).solve(std::move(frames), Curvature::exact)};
   }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/unit.hpp>
 #include <pyrod/statics/chain.hpp>
 #include <pyrod/statics/loads.hpp>
 

@@ -6,6 +6,7 @@
 #include <pyrod/rotation/space.hpp>
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 namespace pyrod {
@@ -50,6 +51,7 @@ struct Loads {
 
   /// A force at arc length s, shared by the two vertices beside it as a lever would.
   void add_force(const Grid& grid, const Point<Space>& F, double s) {
+    check_edges(grid.edges());
     s = grid.on_rod(s);
     const auto& S = grid.arc_lengths();
     int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
@@ -61,6 +63,7 @@ struct Loads {
 
   /// A couple at arc length s, shared by the two edges whose centres are beside it.
   void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
+    check_edges(grid.edges());
     s = grid.on_rod(s);
     const int n = grid.edges();
     if (s == grid.length()) {
@@ -80,6 +83,7 @@ struct Loads {
   /// rest.
   void add_following_force(const Grid& grid, const Point<Space>& F, double s,
                            const EndCurvature<Space>& K0 = {}) {
+    check_edges(grid.edges());
     s = grid.on_rod(s);
     const auto& S = grid.arc_lengths();
     int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
@@ -101,6 +105,7 @@ struct Loads {
   }
 
   void add_following_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
+    check_along(grid, f.size(), "force_per_length");
     for (int j = 0; j < grid.edges(); ++j)
       for (const int vertex : {j, j + 1})
         following_forces.push_back({j, vertex, grid.h(j) / 2 * f[j]});
@@ -109,6 +114,7 @@ struct Loads {
 
   /// A couple at arc length s in the components of the frame there, shared like a dead one.
   void add_following_couple(const Grid& grid, const Spin<Space>& M, double s) {
+    check_edges(grid.edges());
     s = grid.on_rod(s);
     const int n = grid.edges();
     if (s == grid.length()) {
@@ -124,11 +130,13 @@ struct Loads {
   }
 
   void add_following_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
+    check_along(grid, l.size(), "moment_per_length");
     for (int j = 0; j < grid.edges(); ++j) following_couples.push_back({j, grid.h(j) * l[j]});
   }
 
   /// Force per length f on each edge: half of it goes to either end of the edge.
   void add_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
+    check_along(grid, f.size(), "force_per_length");
     const int n = grid.edges();
     for (int j = 0; j < n; ++j) {
       force[j] += grid.h(j) / 2 * f[j];
@@ -147,6 +155,7 @@ struct Loads {
 
   /// Moment per length on each edge.
   void add_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
+    check_along(grid, l.size(), "moment_per_length");
     for (int j = 0; j < grid.edges(); ++j) couple[j] += grid.h(j) * l[j];
   }
 
@@ -174,12 +183,29 @@ struct Loads {
     return m;
   }
 
-  /// All that acts is finite, and so are the sums.
+  /// Whether some of it turns with the rod.
+  bool follow() const {
+    return !following_forces.empty() || !following_couples.empty() || !following_shares.empty() ||
+           !following_end_couple.isZero(0);
+  }
+
+  /// The lists fit each other, all that acts is finite, and so are the sums.
   void check() const {
-    for (const auto& n : section_forces())
-      require(n.allFinite(), "loads: the section force is not finite, ", n.transpose());
-    for (const auto& m : couples_behind())
-      require(m.allFinite(), "loads: the moments add up to what is not finite, ", m.transpose());
+    check_lists();
+    check_followers();
+    Point<Space> n = Point<Space>::Zero();  // what is not finite leaves no sum finite
+    for (std::size_t j = force.size(); j-- > 0;) n += force[j];
+    require(n.allFinite(), "loads: the section force is not finite, ", n.transpose());
+    Spin<Space> m = end_couple;
+    for (std::size_t j = couple.size(); j-- > 0;) m += couple[j];
+    m += start_couple;
+    require(m.allFinite(), "loads: the moments add up to what is not finite, ", m.transpose());
+  }
+
+  /// The same, on a rod of so many edges.
+  void check(int edges) const {
+    check_edges(edges);
+    check();
   }
 
   bool has_couples() const {
@@ -190,6 +216,45 @@ struct Loads {
   }
 
  private:
+  void check_edges(int edges) const {
+    require(int(couple.size()) == edges, "loads: made for ", couple.size(),
+            " edges, on a rod that has ", edges, "; make them by Loads(rod.edges())");
+    require_count(Eigen::Index(force.size()), edges + 1, "loads.force", "one per vertex");
+  }
+
+  void check_along(const Grid& grid, std::size_t count, std::string_view name) const {
+    check_edges(grid.edges());
+    require_count(Eigen::Index(count), grid.edges(), name, "one per edge");
+  }
+
+  void check_lists() const {
+    const auto edges = Eigen::Index(couple.size());
+    require_count(Eigen::Index(force.size()), edges + 1, "loads.force", "one per vertex");
+    for (const auto* list : {&shares, &following_shares}) {
+      if (list->empty()) continue;
+      require_count(Eigen::Index(list->size()), edges, "loads.shares", "one per edge, or none");
+      for (const auto& f : *list)
+        require(f.allFinite(), "loads: a distributed force is not finite, ", f.transpose());
+    }
+  }
+
+  void check_followers() const {
+    const int edges = int(couple.size());
+    for (const auto& f : following_forces)
+      require(f.edge >= 0 && f.edge < edges && (f.vertex == f.edge || f.vertex == f.edge + 1) &&
+                  f.force.allFinite(),
+              "loads: a following force on edge ", f.edge, " and vertex ", f.vertex, " of ", edges,
+              " edges, ", f.force.transpose(),
+              "; expected an edge of the rod, one of its two "
+              "vertices, and finite numbers");
+    for (const auto& c : following_couples)
+      require(c.edge >= 0 && c.edge < edges && c.couple.allFinite(),
+              "loads: a following moment on edge ", c.edge, " of ", edges, ", ",
+              c.couple.transpose(), "; expected an edge of the rod, and finite numbers");
+    require(following_end_couple.allFinite(), "loads: a following moment is not finite, ",
+            following_end_couple.transpose());
+  }
+
   static void share_out(const Grid& grid, const std::vector<Point<Space>>& f,
                         std::vector<Point<Space>>& out) {
     out.resize(f.size(), Point<Space>::Zero());

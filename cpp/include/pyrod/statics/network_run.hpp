@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pyrod/statics/network_solve.hpp>
-#include <pyrod/statics/solve.hpp>
+#include <pyrod/statics/network_start.hpp>
 
 #include <optional>
 
@@ -81,6 +81,10 @@ inline void add_hinge(Attachment<Planar>& a, const Vec3& axis) {
 /// The network in the plane of `at`, or as it is. What leaves the plane is refused.
 template <class Space>
 Network<Space> restricted(const Network<Spatial>& net, const Clamp& at) {
+  if constexpr (Space::dim == 3)
+    net.check_places();  // the rest is looked at by the solver
+  else
+    net.check();
   const Quaternion turn = Space::dim == 3 ? Quaternion::Identity() : at.frame;
   double length = 0;
   for (const auto& rod : net.rods) length = std::max(length, rod.grid.length());
@@ -114,13 +118,6 @@ Network<Space> restricted(const Network<Spatial>& net, const Clamp& at) {
   return out;
 }
 
-/// Frames and positions to start from, in space.
-struct NetworkStart {
-  std::vector<Quaternion> frames;  ///< of all edges
-  std::vector<Vec3> positions;     ///< of all nodes of the scene
-  std::vector<Quaternion> node_frames;
-};
-
 template <class Space>
 struct NetworkRun {
   NetworkResult<Space> result;
@@ -128,27 +125,19 @@ struct NetworkRun {
   std::vector<NodeSolution<Spatial>> nodes;
 };
 
+/// Equilibrium of a network, in the plane of `at` or in space. `start`: a shape that is trusted to
+/// be near; none: see `Start`.
 template <class Space>
 NetworkRun<Space> run(const Network<Spatial>& net, const Clamp& at,
                       const std::optional<NetworkStart>& start, const Options& options,
                       const NetworkOptions& more, const Trace& trace) {
+  require_rotation(at.frame, "at.frame");
   const Clamp here = Space::dim == 3 ? Clamp{} : at;
   NetworkSolver<Space> solver(restricted<Space>(net, at), options, more, trace);
   NetworkRun<Space> out;
   if (start) {
-    auto state = Start<Space>(solver.layout()).state();
-    require_count(Eigen::Index(start->frames.size()), solver.layout().edges(), "start",
-                  "one frame per edge");
-    state.frames = restricted<Space>(start->frames, here.frame);
-    for (std::size_t v = 0; v < start->positions.size(); ++v) {
-      if (solver.layout().network().nodes[v].free.cols() > 0)
-        state.positions[v] =
-            restrict_point<Space>(unrotate(here.frame, Vec3(start->positions[v] - here.position)));
-      if (solver.layout().network().nodes[v].turns.cols() > 0)
-        state.node_frames[v] =
-            restrict_rotation<Space>(here.frame.conjugate() * start->node_frames[v]);
-    }
-    out.result = solver.solve(std::move(state));
+    out.result =
+        solver.solve(StateNear<Space>(solver.layout(), here, net.nodes.size()).state(*start));
   } else {
     out.result = solver.solve();
   }

@@ -49,6 +49,7 @@ class NetworkSolver {
   NetworkSolver(Network<Space> network, const Options& options, const NetworkOptions& more,
                 Trace trace)
       : network_(std::move(network)), options_(options), more_(more), trace_(std::move(trace)) {
+    network_.check();
     fine_ = std::make_unique<Layout<Space>>(network_);
   }
 

@@ -4,6 +4,7 @@
 
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/embedding.hpp>
+#include <pyrod/rotation/unit.hpp>
 #include <pyrod/statics/loads.hpp>
 
 namespace pyrod {

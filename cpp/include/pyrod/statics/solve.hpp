@@ -1,106 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file One call for every rod: space and model chosen at run time, results always in space.
+/// \file One call for every clamped rod: space and model chosen at run time, results always in
+/// space.
 #pragma once
 
-#include <pyrod/rotation/embedding.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/statics/cantilever.hpp>
+#include <pyrod/statics/network_run.hpp>
 
 #include <concepts>
 
 namespace pyrod {
-
-/// The planar rod in the a1–a3 plane, or the rod itself. What leaves the plane is refused.
-template <class Space>
-Rod<Space> restricted(const Rod<Spatial>& rod) {
-  Rod<Space> out{rod.grid, {}, {}, {}};
-  for (const auto& C : rod.bending) out.bending.push_back(restrict_spin<Space>(C));
-  for (const auto& C : rod.stretching) out.stretching.push_back(restrict_point<Space>(C));
-  for (std::size_t j = 0; j < rod.K0.size(); ++j) {
-    out.K0.push_back(restrict_spin<Space>(rod.K0[j]));
-    require(embed_spin(out.K0[j]) == rod.K0[j], "K0[", j,
-            "]: a planar rod bends about director 2 "
-            "only, got (",
-            rod.K0[j].transpose(), "); choose the spatial rod");
-  }
-  for (const auto& jump : rod.jumps)
-    out.jumps.push_back({jump.vertex, restrict_spin<Space>(jump.bending_before),
-                         restrict_spin<Space>(jump.K0_before),
-                         restrict_spin<Space>(jump.bending_behind),
-                         restrict_spin<Space>(jump.K0_behind)});
-  return out;
-}
-
-/// Material components of what follows a frame, restricted to the space.
-template <class Space>
-Point<Space> in_plane(const Vec3& F) {
-  const Point<Space> kept = restrict_point<Space>(F);
-  require(embed(kept) == F, "loads: a following force (", F.transpose(),
-          ") leaves the plane of the directors a1 and a3; choose the spatial rod");
-  return kept;
-}
-template <class Space>
-Spin<Space> about_normal(const Vec3& m) {
-  const Spin<Space> kept = restrict_spin<Space>(m);
-  require(embed_spin(kept) == m, "loads: a following moment (", m.transpose(),
-          ") is not about director a2; choose the spatial rod");
-  return kept;
-}
-
-/// Loads in the clamp's frame, restricted to the space; what leaves it by more than rounding is
-/// refused.
-template <class Space>
-Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
-  loads.check();
-  double scale = 0;
-  for (const auto& F : loads.force) scale = std::max(scale, F.norm());
-  double spin_scale = std::max(loads.end_couple.norm(), loads.start_couple.norm());
-  for (const auto& m : loads.couple) spin_scale = std::max(spin_scale, m.norm());
-
-  Loads<Space> out(int(loads.couple.size()));
-  const auto point = [&](const Vec3& F) {
-    const Vec3 local = unrotate(frame, F);
-    const Point<Space> kept = restrict_point<Space>(local);
-    require((local - embed(kept)).norm() <= 1e-12 * scale, "loads: a force (", F.transpose(),
-            ") leaves the plane of the clamp's directors a1 and a3; choose the spatial rod");
-    return kept;
-  };
-  const auto spin = [&](const Vec3& m) {
-    const Vec3 local = unrotate(frame, m);
-    const Spin<Space> kept = restrict_spin<Space>(local);
-    require((local - embed_spin(kept)).norm() <= 1e-12 * spin_scale, "loads: a moment (",
-            m.transpose(), ") is not about the clamp's director a2; choose the spatial rod");
-    return kept;
-  };
-  for (const auto& f : loads.shares) out.shares.push_back(point(f));
-  for (const auto& f : loads.following_shares) out.following_shares.push_back(in_plane<Space>(f));
-  for (std::size_t j = 0; j < loads.force.size(); ++j) out.force[j] = point(loads.force[j]);
-  for (std::size_t j = 0; j < loads.couple.size(); ++j) out.couple[j] = spin(loads.couple[j]);
-  out.end_couple = spin(loads.end_couple);
-  out.start_couple = spin(loads.start_couple);
-  for (const auto& f : loads.following_forces)
-    out.following_forces.push_back({f.edge, f.vertex, in_plane<Space>(f.force)});
-  for (const auto& c : loads.following_couples)
-    out.following_couples.push_back({c.edge, about_normal<Space>(c.couple)});
-  out.following_end_couple = about_normal<Space>(loads.following_end_couple);
-  return out;
-}
-
-/// Frames of a rod seen from the frame `at`. In the plane each angle goes on from the one before,
-/// so that a rod may go round as often as it likes.
-template <class Space>
-std::vector<typename Space::Rotation> restricted(const std::vector<Quaternion>& frames,
-                                                 const Quaternion& at) {
-  std::vector<typename Space::Rotation> out;
-  out.reserve(frames.size());
-  for (const auto& q : frames) {
-    auto local = restrict_rotation<Space>(at.conjugate() * q);
-    if constexpr (Space::spin == 1)
-      if (!out.empty()) local = out.back() * principal(out.back().conjugate() * local);
-    out.push_back(local);
-  }
-  return out;
-}
 
 template <class Space>
 Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
@@ -116,12 +25,14 @@ Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
   return out;
 }
 
-/// Equilibrium of a rod held by `clamp` under dead loads. `start`: frames of the edges to start
-/// from, trusted to be near; none: the shape at rest.
+/// Equilibrium of a rod held by `clamp` under dead loads; a saddle is told by its index. `start`:
+/// frames of the edges to start from, trusted to be near; none: the shape at rest.
 template <class Space, class Model>
 Solution<Spatial> solve(const Rod<Spatial>& rod, const Clamp& clamp, const Loads<Spatial>& loads,
                         const std::vector<Quaternion>& start = {}, const Options& options = {},
                         const Trace& trace = {}) {
+  require_rotation(clamp.frame, "clamp.frame");
+  if (!start.empty()) require_frames(start, rod.edges(), "start");
   const Cantilever<Space, Model> scene(restricted<Space>(rod), Point<Space>::Zero(),
                                        Space::Rotation::Identity(),
                                        restricted<Space>(loads, clamp.frame));
@@ -129,16 +40,48 @@ Solution<Spatial> solve(const Rod<Spatial>& rod, const Clamp& clamp, const Loads
   return placed(scene.solve(restricted<Space>(start, clamp.frame), options, trace), clamp);
 }
 
-/// The same with space and model chosen at run time. A template, so that only who calls it compiles
-/// the six solvers.
+/// The network of a rod that `clamp` holds at its start: for loads that follow, and to leave
+/// saddles.
+inline Network<Spatial> held(const Rod<Spatial>& rod, const Clamp& clamp,
+                             const Loads<Spatial>& loads) {
+  Network<Spatial> out{{rod}, {{clamp.position, clamp.frame}}, {loads}, {}, {}};
+  out.nodes.push_back({clamp.position, Directions<3>(3, 0), clamp.frame, Directions<3>(3, 0)});
+  out.attachments.push_back({0, 0, 0, true});
+  return out;
+}
+
+/// What a run found of the rod of a network that has one.
+template <class Space>
+Solution<Spatial> the_rod(NetworkRun<Space>&& run) {
+  Solution<Spatial> out;
+  static_cast<RodSolution<Spatial>&>(out) = std::move(run.rods[0]);
+  out.status = run.result.status;
+  out.index = run.result.index;
+  out.residual = run.result.residual;
+  out.load_steps = run.result.load_steps;
+  out.record = std::move(run.result.record);
+  return out;
+}
+
+/// Equilibrium of a rod held by `clamp`, with space and model chosen at run time, by whatever it
+/// takes: loads that follow are solved as a network. So is a saddle, to leave it along its unstable
+/// mode, if a `stable` equilibrium is wanted. A template, so that only who calls it compiles all
+/// the solvers.
 template <std::same_as<Spatial> S>
 Solution<S> solve(const Rod<S>& rod, Dimension dimension, ModelKind model, const Clamp& clamp,
                   const Loads<S>& loads, const std::vector<Quaternion>& start = {},
-                  const Options& options = {}, const Trace& trace = {}) {
+                  const Options& options = {}, const Trace& trace = {}, bool stable = true) {
   return in_space(dimension, [&]<class Space>(Space) {
-    return with_model(model, [&]<class Model>(Model) {
+    const auto as_network = [&](const std::vector<Quaternion>& frames) {
+      const auto from = frames.empty() ? std::nullopt : std::optional(NetworkStart{frames, {}, {}});
+      return the_rod(run<Space>(held(in_model(rod, model), clamp, loads), clamp, from, options,
+                                {.stable = stable}, trace));
+    };
+    if (loads.follow()) return as_network(start);
+    auto found = with_model(model, [&]<class Model>(Model) {
       return solve<Space, Model>(rod, clamp, loads, start, options, trace);
     });
+    return stable && found.index > 0 ? as_network(found.curve.frames) : found;
   });
 }
 

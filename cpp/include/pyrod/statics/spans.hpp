@@ -24,7 +24,7 @@ class Spans {
   static constexpr int dim = Space::dim, spin = Space::spin;
 
   explicit Spans(Network<Space> network) : net_(std::move(network)) {
-    check();
+    net_.check_places();
     add_free_ends();
     drop_idle_frames();
     cut_into_spans();
@@ -62,18 +62,6 @@ class Spans {
   std::vector<std::vector<int>> hinged_;  ///< hinges at each node
 
  private:
-  void check() const {
-    require(!net_.rods.empty(), "rods: expected at least one");
-    require(net_.loads.size() == net_.rods.size(), "loads: expected one per rod");
-    for (const auto& a : net_.attachments) {
-      require(a.rod >= 0 && a.rod < int(net_.rods.size()), "attachment: no rod ", a.rod);
-      require(a.node >= 0 && a.node < int(net_.nodes.size()), "attachment: no node ", a.node);
-      const auto& grid = net_.rods[a.rod].grid;
-      require(a.vertex >= 0 && a.vertex < grid.vertices(), "attachment: rod ", a.rod,
-              " has no vertex ", a.vertex);
-    }
-  }
-
   void add_free_ends() {
     attached_.resize(net_.rods.size());
     hinged_.resize(net_.nodes.size());
