@@ -2,7 +2,6 @@
 #include "job.hpp"
 #include "solvers.hpp"
 
-#include <pyrod/rod/section.hpp>
 
 namespace pyrod::bind {
 

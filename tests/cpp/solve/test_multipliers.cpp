@@ -16,7 +16,8 @@ TEST_CASE("multipliers: their rows, their part of vectors, and the matrix times 
   Vector weights = Vector::Ones(K.size());
   const std::vector<int> rows{2, 5, 6, 7};
   for (const int k : rows) weights[k] = 0;
-  const Multipliers multipliers(K, weights);
+  const Vector units = 1 + random.vector(K.size()).array().abs();
+  const Multipliers multipliers(K, weights, units);
   CHECK(multipliers.count() == 4);
   CHECK(multipliers.rows() == rows);
 
@@ -26,8 +27,9 @@ TEST_CASE("multipliers: their rows, their part of vectors, and the matrix times 
   multipliers.set(0, rest);
   CHECK(distance(f, a.cwiseProduct(Vector::Ones(K.size()) - weights)) == 0);
   CHECK(distance(rest, a.cwiseProduct(weights)) == 0);
-  CHECK(multipliers.squared_norm(a) == doctest::Approx(f.squaredNorm()).epsilon(1e-15));
-  CHECK(multipliers.largest(a) == f.lpNorm<Eigen::Infinity>());
+  CHECK(multipliers.squared_norm(a) ==
+        doctest::Approx(f.cwiseProduct(f).cwiseQuotient(units).sum()).epsilon(1e-15));
+  CHECK(multipliers.largest(a) == f.cwiseQuotient(units).lpNorm<Eigen::Infinity>());
 
   Vector out(2), expected;
   multipliers.multiply(K, f, out);
@@ -38,7 +40,7 @@ TEST_CASE("multipliers: their rows, their part of vectors, and the matrix times 
 
 TEST_CASE("no multipliers") {
   const BlockTridiagonal<1> K(3);
-  const Multipliers multipliers(K, Vector::Ones(3));
+  const Multipliers multipliers(K, Vector::Ones(3), Vector::Ones(3));
   Vector v = Vector::Ones(3), out;
   multipliers.set(7, v);
   CHECK(v == Vector::Ones(3));

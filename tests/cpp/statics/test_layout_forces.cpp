@@ -30,7 +30,7 @@ Vector imbalance(const Layout<Space>& layout, int v, const std::vector<Point<Spa
     else
       sum -= known[p];
   }
-  return layout.network().nodes[v].free.transpose() * sum / layout.unit_length();
+  return layout.network().nodes[v].free.transpose() * sum / layout.unit_length(v);
 }
 
 template <class Space>
@@ -131,12 +131,12 @@ TEST_CASE_TEMPLATE("a roller across the axes: what is open and what is told fill
   load(random, s);
   const Layout<Space> layout(s.net);
   const auto& open = layout.spans()[0].open;
-  CHECK((way.transpose() * open).norm() < 1e-15 * layout.unit_force());
-  const Dense gram = open.transpose() * open / std::pow(layout.unit_force(), 2);
+  CHECK((way.transpose() * open).norm() < 1e-15 * layout.unit_force(0));
+  const Dense gram = open.transpose() * open / std::pow(layout.unit_force(0), 2);
   CHECK(distance(gram, Dense::Identity(d - 1, d - 1)) < 1e-14);
   const auto known = layout.known_forces(layout.dead_forces());
   CHECK(imbalance(layout, roller, known).norm() < 1e-15);
-  CHECK((open.transpose() * known[0]).norm() < 1e-14 * layout.unit_force());
+  CHECK((open.transpose() * known[0]).norm() < 1e-14 * layout.unit_force(0));
 }
 
 TEST_CASE_TEMPLATE("known forces are linear in the loads", Space, EACH_SPACE) {

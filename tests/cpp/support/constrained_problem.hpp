@@ -52,7 +52,19 @@ struct ConstrainedProblem {
     return out;
   }
   double unit_energy() const { return unit; }
-  double rounding() const { return 1e-15 * unit; }
+  Vector units() const { return Vector::Constant(size + constraints, unit); }
+  Vector stiffness() const { return unit * weights(); }
+  Vector softness() const {
+    Vector out(size + constraints);
+    out << Vector::Zero(size), Vector::Constant(constraints, 1e-10 * unit);
+    return out;
+  }
+  void multiplier_sizes(const State& state, Vector& out) const {
+    out.tail(constraints) = 1 + state.tail(constraints).array().abs() / unit;
+  }
+  void rounding(const State&, Vector& out) const {
+    out.setConstant(size + constraints, 1e-15 * unit);
+  }
 
   /// The Hessian of f + λ·c in x.
   Dense primal(const Vector& x, const Vector& λ) const {

@@ -91,7 +91,7 @@ class StateNear {
 
   /// Moves a node to r as far as it is free to go.
   void place(std::size_t v, const Point<Space>& r, NetworkState<Space>& x) const {
-    const double unit = layout_.unit_length();  // the length of the free directions
+    const double unit = layout_.unit_length(int(v));  // the length of the free directions
     const auto& F = node(v).free;
     x.positions[v] =
         node(v).position + F * (F.transpose() * (r - node(v).position)) / (unit * unit);
