@@ -170,4 +170,23 @@ class Extrapolation {
   std::vector<std::vector<Vector>> columns_;
 };
 
+/// What one number tends to; its error is relative.
+struct Limit {
+  double value, error = std::numeric_limits<double>::infinity();
+};
+
+/// Of a number that coarse grids may tell irregularly, such as a maximum: as many of the finest are
+/// taken, three or more, as tell the least error.
+inline Limit limit_of(const std::vector<double>& levels, double scale, bool even, double noise) {
+  Limit best{levels.back()};
+  for (auto from = levels.begin(); levels.end() - from >= 3; ++from) {
+    std::vector<Vector> taken;
+    for (auto level = from; level != levels.end(); ++level)
+      taken.push_back(Vector::Constant(1, *level));
+    const auto found = Extrapolation(taken, {{{0, 1, 0}}, {scale}, even, noise}).result();
+    if (found.error() < best.error) best = {found.values[0], found.error()};
+  }
+  return best;
+}
+
 }  // namespace pyrod

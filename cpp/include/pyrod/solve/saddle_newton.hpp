@@ -77,15 +77,18 @@ class SaddleNewton {
     return inverse_iteration(here_.hessian, factor_, weights_, multipliers_, above, 100);
   }
 
-  /// Whether the state that was solved for last can move without any change of energy, to first
-  /// sight: two inverse iterations bring out a mode whose eigenvalue is that of the shift. With
-  /// that mode.
-  std::optional<Mode> neutral_mode() {
+  /// The softest mode at the state that was solved for last, to first sight: two inverse iterations
+  /// bring it out if it is soft, one without stiffness with the eigenvalue of the shift.
+  std::optional<Mode> soft_mode() {
     factorise(0);
     if (inertia_.broken > 0) return std::nullopt;
-    const Mode mode = inverse_iteration(here_.hessian, factor_, weights_, multipliers_, 0, 2);
-    if (!(std::abs(mode.eigenvalue) < 3e-6 * problem_.unit_energy())) return std::nullopt;
-    return mode;
+    return inverse_iteration(here_.hessian, factor_, weights_, multipliers_, 0, 2);
+  }
+
+  /// How far along a mode, in its largest component, rounding of the gradient may push.
+  double drift(const Mode& mode) const {
+    const double stiffness = mode.eigenvalue * mode.shape.cwiseAbs2().dot(weights_);
+    return problem_.rounding() * mode.shape.norm() / std::abs(stiffness);
   }
 
   /// Entries of the factor over those of the matrix: the fill.

@@ -6,6 +6,7 @@
 #include <pyrod/solve/saddle_newton.hpp>
 #include <pyrod/statics/levels.hpp>
 #include <pyrod/statics/recovery.hpp>
+#include <pyrod/statics/softness.hpp>
 #include <pyrod/statics/start.hpp>
 
 #include <memory>
@@ -25,6 +26,7 @@ struct NetworkResult {
   int descents = 0;    ///< saddles that the search left along their unstable modes
   bool conservative = true;
   bool neutral = false;           ///< it can move along `mode` without a change of energy
+  Softness softness;              ///< if the loads have a potential
   std::vector<Spin<Space>> mode;  ///< of the edges, material [rad]; if asked for, or neutral
   double lowest_eigenvalue = 0;   ///< if it was asked for, [N m]: of ∫ |φ|² ds/L
   std::vector<Iteration> record;
@@ -116,8 +118,10 @@ class NetworkSolver {
   }
 
   void look_at_modes(const Problem& problem, SaddleNewton<Problem>& newton) {
-    auto mode = newton.neutral_mode();
-    out_.neutral = mode.has_value();
+    auto mode = newton.soft_mode();
+    out_.softness = mode ? softness(problem, newton, *mode) : Softness{};
+    out_.neutral = out_.softness.neutral();
+    if (!out_.neutral) mode.reset();
     if (more_.eigenvalue) {
       mode = newton.lowest_mode();
       out_.lowest_eigenvalue = mode->eigenvalue;
@@ -125,6 +129,20 @@ class NetworkSolver {
     out_.mode.clear();
     for (int j = 0; mode && j < fine_->edges(); ++j)
       out_.mode.push_back(mode->shape.template segment<Space::spin>(problem.first_row(j)));
+  }
+
+  Softness softness(const Problem& problem, const SaddleNewton<Problem>& newton,
+                    const Mode& mode) const {
+    Softness out{mode.eigenvalue / problem.unit_energy(), newton.drift(mode)};
+    const auto turn = [&](int rod, int j) {
+      return mode.shape.template segment<Space::spin>(problem.first_row(fine_->edge(rod, j)));
+    };
+    for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod) {
+      const auto& r = fine_->network().rods[rod];
+      for (int j = 1; j < r.edges(); ++j)
+        out.bend = std::max(out.bend, (turn(rod, j) - turn(rod, j - 1)).norm() / r.grid.Δs(j));
+    }
+    return out;
   }
 
   void keep(Result<NetworkState<Space>>&& result) {

@@ -18,6 +18,7 @@ struct SceneSolution {
   std::vector<Vec3> mode;
   double lowest_eigenvalue = 0;
   std::vector<Iteration> record;
+  Softness softness;  ///< of a network whose loads have a potential
 
   bool converged() const { return status == Status::converged; }
 };
@@ -50,7 +51,8 @@ SceneSolution scene_solution(NetworkRun<Space>&& from) {
                     r.neutral,
                     {},
                     r.lowest_eigenvalue,
-                    std::move(from.result.record)};
+                    std::move(from.result.record),
+                    r.softness};
   for (const auto& φ : r.mode) out.mode.push_back(embed_spin(φ));
   return out;
 }
