@@ -22,7 +22,7 @@ def arch(edges: int | None = None) -> Scene:
 def test_an_arch_bends_most_between_vertices(tol: float) -> None:
     """M² + 2 EI (n - n_x) is the same all along an elastica: where it bends most n has no arm."""
     result = pyrod.solve(arch(), tol=tol)
-    exact = pyrod.solve(arch(64), tol=1e-12)
+    exact = pyrod.solve(arch(64), tol=1e-10)
     force, moment = exact.reactions[0]
     right = np.sqrt(moment[1] ** 2 + 2 * (np.linalg.norm(force) - abs(force[0])))
     assert right == pytest.approx(10.935168, abs=1e-6)
@@ -34,7 +34,7 @@ def test_an_arch_bends_most_between_vertices(tol: float) -> None:
 
 
 def test_without_a_tolerance_the_error_is_that_of_the_grid() -> None:
-    errors = [abs(pyrod.solve(arch(n)).largest_K / 10.9351678 - 1) for n in (64, 128, 256)]
+    errors = [abs(pyrod.solve(arch(n)).largest_K / 10.93516771 - 1) for n in (64, 128, 256)]
     assert errors[0] < 1e-3  # at the vertices alone 0.7 %, at 2.5 edges from the top
     assert errors[1] == pytest.approx(errors[0] / 4, rel=0.1)
     assert errors[2] == pytest.approx(errors[1] / 4, rel=0.1)

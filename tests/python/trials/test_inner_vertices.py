@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from support import extrapolated
+from support import about_y, extrapolated
 
 import pyrod
 from pyrod import (
@@ -30,7 +30,8 @@ from pyrod import (
 UNIT = Section(EI1=1, EI2=1, GJ=1)
 STRIP = Section(EI1=3, EI2=1, GJ=0.6)
 SIDEWAYS = {"tangent": (1, 0, 0), "normal": (0, 0, 1)}
-HELD = {"tangent": (0.6, 0, 0.8), "normal": (0.8, 0, -0.6), "at": 0.5}
+PLACE = (0.2, 0.1, 0.4)
+HELD = {"frame": about_y(0.6), "at": 0.5}
 
 
 def straight(n: int | None, section: object = UNIT) -> Rod:
@@ -66,7 +67,7 @@ def of_function(n: int | None) -> Scene:
 def clip_at_a_step(n: int | None) -> Scene:
     m = n or 16
     rod = Rod.precurved(np.full(m, 1 / m), None, [STRIP] * (m // 2) + [UNIT] * (m // 2), (0, 1, 0))
-    inner = Clamp((0.2, 0.1, 0.4), at=0.5, **SIDEWAYS)
+    inner = Clamp(PLACE, at=0.5, **SIDEWAYS)
     return Scene(rod, [Clamp(), inner], Force((1, 2, 0.5)))
 
 
@@ -79,10 +80,10 @@ def between_vertices_of_unequal_edges(n: int | None) -> Scene:
 
 SCENES: dict[str, Callable[[int | None], Scene]] = {
     "clamp, planar": held(Clamp((0.2, 0, 0.4), **HELD), "planar"),
-    "clamp": held(Clamp((0.2, 0.1, 0.4), **HELD), "spatial"),
-    "pivot": held(Pivot((0.2, 0.1, 0.4), axis=(0, 1, 0), **HELD), "spatial"),
-    "sleeve": held(Sleeve((0.2, 0.1, 0.4), **HELD), "spatial"),
-    "slider": held(Slider((0.2, 0.1, 0.4), clamped=True, **HELD), "spatial"),
+    "clamp": held(Clamp(PLACE, **HELD), "spatial"),
+    "pivot": held(Pivot((0, 1, 0), PLACE, **HELD), "spatial"),
+    "sleeve": held(Sleeve(PLACE, **HELD), "spatial"),
+    "slider": held(Slider((1, 0, 2), position=PLACE, clamped=True, **HELD), "spatial"),
     "torsion spring": held(Spring(torsion=20.0, at=0.5), "spatial"),
     "torsion spring, planar": held(Spring(torsion=20.0, at=0.5), "planar"),
     "moment, planar": turned(Moment((0, 2, 0), at=0.5), UNIT, "planar"),

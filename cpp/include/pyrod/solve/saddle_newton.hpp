@@ -85,12 +85,6 @@ class SaddleNewton {
     return inverse_iteration(here_.hessian, factor_, weights_, multipliers_, 0, 2);
   }
 
-  /// How far along a mode, in its largest component, rounding of the gradient may push.
-  double drift(const Mode& mode) const {
-    const double stiffness = mode.eigenvalue * mode.shape.cwiseAbs2().dot(weights_);
-    return problem_.rounding() * mode.shape.norm() / std::abs(stiffness);
-  }
-
   /// Entries of the factor over those of the matrix: the fill.
   double fill() const {
     return double(factor_.factor_entries()) / double(here_.hessian.rows.size());

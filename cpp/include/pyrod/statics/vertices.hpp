@@ -79,24 +79,37 @@ class Vertices {
     Before<Space> out{int(J), before(s, force, j), s.strains.K[J],
                       held ? held->moment_before : s.moment[J], false};
     s.vertex_force[J] = behind(s, force, j);
-    bool turned = std::ranges::binary_search(rod_.jumps, j, {}, &Jump<Space>::vertex);
+    const bool jumps = std::ranges::binary_search(rod_.jumps, j, {}, &Jump<Space>::vertex);
+    bool couples = false;
     for (const auto& c : loads_.vertex_couples) {
       if (c.vertex != j) continue;
       out.moment += c.follows ? rotate_spin(s.curve.frames[j - 1], c.before) : c.before;
       s.moment[J] -= c.follows ? rotate_spin(s.curve.frames[j], c.behind) : c.behind;
-      turned = true;
+      couples = true;
     }
-    if (held || turned) {
+    if (held || jumps || couples) {
       auto& q = s.vertex_frames[J];
       q = held ? q * principal(q.conjugate() * *held->frame)
                : frame_between(s.curve, sides, out.moment, s.moment[J]);
       const Spin<Space> M = rotate_spin(q.conjugate(), s.moment[J]);
       out.K = sides.K_before(rotate_spin(q.conjugate(), out.moment));
       out.halves = !held;
+      if (couples && !held)
+        s.bend_twist_energy += energy(sides, rotate_spin(q.conjugate(), out.moment), M) -
+                               energy(sides, s.material_moment[J], s.material_moment[J]);
       s.material_moment[J] = M;
       s.strains.K[J] = sides.K_behind(M);
     }
     s.before.push_back(out);
+  }
+
+  /// Of the halves of a cell under their moments: those beside a couple carry more than their mean.
+  double energy(const Jump<Space>& sides, const Spin<Space>& before,
+                const Spin<Space>& behind) const {
+    const int j = sides.vertex;
+    return (rod_.grid.h(j - 1) * before.dot(before.cwiseQuotient(sides.bending_before)) +
+            rod_.grid.h(j) * behind.dot(behind.cwiseQuotient(sides.bending_behind))) /
+           4;
   }
 
   /// The half of a cell before its vertex turns by what the moment there makes of it, and half of
