@@ -79,7 +79,7 @@ def between_vertices_of_unequal_edges(n: int | None) -> Scene:
 
 
 SCENES: dict[str, Callable[[int | None], Scene]] = {
-    "clamp, planar": held(Clamp((0.2, 0, 0.4), **HELD), "planar"),
+    "clamp, planar": held(Clamp((0.12, 0, 0.47), **HELD), "planar"),
     "clamp": held(Clamp(PLACE, **HELD), "spatial"),
     "pivot": held(Pivot((0, 1, 0), PLACE, **HELD), "spatial"),
     "sleeve": held(Sleeve(PLACE, **HELD), "spatial"),

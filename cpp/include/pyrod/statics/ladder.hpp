@@ -156,9 +156,8 @@ class Ladder {
   /// tell nothing of it. Of the energy it is a square. `K`: the scale of curvatures.
   void add_soft_errors(std::vector<double>& errors, double K) const {
     const auto& soft = solution_.softness;
-    if (solution_.neutral || !(soft.eigenvalue < Softness::soft) || solution_.record.empty())
-      return;
-    const double turn = 2 * (soft.drift + solution_.record.back().step * soft.left());
+    if (solution_.neutral || !soft.soft() || solution_.record.empty()) return;
+    const double turn = soft.drift / 2 + 2 * solution_.record.back().step * soft.left();
     const double bend = turn * std::max(1., soft.bend / K);
     for (const auto what : {Quantity::positions, Quantity::frames})
       errors[std::size_t(what)] += turn;
