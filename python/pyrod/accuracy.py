@@ -55,4 +55,5 @@ def accuracy_of(
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
     if not network:
         errors["reactions"] = max(errors["forces"], errors["moments"])
-    return Accuracy(tol, errors, *reached[1:], neutral)
+    order, regular, grids, finest = reached[1:]
+    return Accuracy(tol, errors, order, regular, grids, finest, neutral)
