@@ -28,6 +28,15 @@ py::array copied(const Rows& rows) {
   return out;
 }
 
+/// What holds just before every vertex: a copy of what holds behind, but where that differs.
+template <class Get>
+py::array before(const std::vector<Vec3>& behind, const std::vector<Before<Spatial>>& before,
+                 Get&& get) {
+  auto rows = behind;
+  for (const auto& b : before) rows[std::size_t(b.vertex)] = get(b);
+  return copied(rows);
+}
+
 /// The record of a solve as columns, one line per iteration.
 py::dict record(const std::vector<Iteration>& lines) {
   const auto column = [&](auto&& value) {
@@ -76,6 +85,22 @@ void bind_rod_solution(py::module_& module) {
   vectors("moment", [](const S& s) -> const auto& { return s.moment; });
   vectors("material_moment", [](const S& s) -> const auto& { return s.material_moment; });
   vectors("load", [](const S& s) -> const auto& { return s.load; });
+  type.def_property_readonly("K_before",
+                             [](const S& s) {
+                               return before(s.strains.K, s.before,
+                                             [](const auto& b) { return b.K; });
+                             })
+      .def_property_readonly("vertex_force_before",
+                             [](const S& s) {
+                               return before(s.vertex_force, s.before,
+                                             [](const auto& b) { return b.force; });
+                             })
+      .def_property_readonly("moment_before", [](const S& s) {
+        return before(s.moment, s.before, [](const auto& b) { return b.moment; });
+      });
+  type.def_property_readonly("largest_K", [](const S& s) { return s.largest.K; })
+      .def_property_readonly("largest_force", [](const S& s) { return s.largest.force; })
+      .def_property_readonly("largest_moment", [](const S& s) { return s.largest.moment; });
   type.def_property_readonly("frames", [](const S& s) { return copied(s.curve.frames); })
       .def_property_readonly("vertex_frames", [](const S& s) { return copied(s.vertex_frames); })
       .def_property_readonly("load_moment", [](const S& s) { return copied<Vec3>(s.load_moment); })

@@ -124,7 +124,7 @@ void statics(py::module_& module) {
   py::class_<GridLoads>(module, "Loads")
       .def(py::init([](const Rod<Spatial>& rod) {
              const EndCurvature<Spatial> K0{rod.K0.front(), rod.K0.back()};
-             return GridLoads{rod.grid, K0, Loads<Spatial>(rod.edges())};
+             return GridLoads{rod.grid, K0, Loads<Spatial>(rod.edges()), rod.bending};
            }),
            py::arg("rod"))
       .def(
@@ -163,7 +163,10 @@ void statics(py::module_& module) {
       .def(
           "add_following_moment",
           [](GridLoads& self, const Array& M, double s) {
-            add_at(self, &L::add_following_couple, vector3(M, "moment"), s);
+            self.add([value = vector3(M, "moment"), s, compliance = self.compliance(s)](
+                         L& loads, const Grid& grid, int) {
+              loads.add_following_couple(grid, value, s, compliance);
+            });
           },
           py::arg("moment"), py::arg("at"))
       .def(

@@ -18,11 +18,20 @@ struct GridLoads {
   Grid grid;
   EndCurvature<Spatial> K0;
   Loads<Spatial> loads;
+  std::vector<Vec3> bending;  ///< of the rod, at the vertices
   std::vector<Recipe> recipes = {};
 
   void add(Recipe recipe) {
     recipe(loads, grid, 1);
     recipes.push_back(std::move(recipe));
+  }
+
+  /// 1/C at the vertex nearest to s.
+  Vec3 compliance(double s) const {
+    const int n = grid.edges();
+    int j = 0;
+    while (j < n && grid.centre(j) <= s) ++j;
+    return bending[std::size_t(j)].cwiseInverse();
   }
 
   Loads<Spatial> on(const Grid& finer) const {

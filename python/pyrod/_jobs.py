@@ -92,7 +92,7 @@ class Job:
             reactions=reactions,
             time=time,
             lowest_eigenvalue=found.lowest_eigenvalue if self.how.eigenvalue else None,
-            accuracy=accuracy_of(self.how.tol, found.reached, self.network),
+            accuracy=accuracy_of(self.how.tol, found.reached, self.network, found.neutral),
             choice=choice,
             _nodes=nodes,
         )

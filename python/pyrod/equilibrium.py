@@ -38,28 +38,44 @@ class RodEquilibrium(Lazy, Immutable):
     Positions, forces and moments are spatial; strains and whatever is called material have the
     components of the frames. Section forces and moments act from the part behind on the part
     before.
+
+    Where a support, a joint or a load acts on an inner vertex, or stiffness or the curvature at
+    rest jumps there, curvature, section force and moment may have two values. Arrays hold those
+    just behind the vertex; ``K_before``, ``vertex_force_before`` and ``moment_before`` hold those
+    just before it, and everywhere else the same.
     """
 
     rod: Rod
     positions: Array  #: (n + 1, 3) r_j [m]
     frames: Array  #: (n, 4) of the edges; signs are continued along the rod
     vertex_frames: Array  #: (n + 1, 4) between the edges' frames; at the ends, of the ends
-    K: Array  #: (n + 1, 3) material curvature, Linn (48) [1/m]; where the rod is held, a mean
+    K: Array  #: (n + 1, 3) material curvature, Linn (48) [1/m]; where it jumps, just behind
+    K_before: Array  #: (n + 1, 3) the same; where it jumps, just before
     Gamma: Array  #: (n, 3) shear and stretch, Linn (50)
     force: Array  #: (n, 3) section force of the edges, in exact balance with the loads [N]
     vertex_force: Array
     """(n + 1, 3) section force at the vertices, inside the rod at its ends [N].
 
-    Where a point force acts on a vertex, a value between those on its two sides.
+    Where a point force acts on an inner vertex, or a support, just behind it.
     """
+    vertex_force_before: Array  #: (n + 1, 3) the same; where it jumps, just before
     material_force: Array  #: (n, 3) the same in the components of the frames
-    moment: Array  #: (n + 1, 3) section moment, in balance with the loads [N m]; where the rod is
-    #: held, just behind
+    moment: Array  #: (n + 1, 3) section moment, in balance with the loads [N m]; where it jumps,
+    #: just behind
+    moment_before: Array  #: (n + 1, 3) the same; where it jumps, just before
     material_moment: Array  #: (n + 1, 3) C_bt (K - K0)
     load: Array  #: (n + 1, 3) what acts on the vertices [N]
     load_moment: Array  #: (3,) sum of the moments that act on the rod [N m]
     bend_twist_energy: float  #: Linn (49) [J]
     stretch_shear_energy: float  #: Linn (51) [J]
+    largest_K: float
+    """Largest |K| along the rod [1/m], between vertices too.
+
+    Of a solve with a tolerance that of the continuous rod, with the error that ``errors`` tells of
+    ``extremes``; else of a smooth curve through the values at the vertices. So are the next two.
+    """
+    largest_force: float  #: largest section force [N]
+    largest_moment: float  #: largest section moment [N m]
 
     @classmethod
     def _of(cls, rod: Rod, source: _core.RodSolution) -> RodEquilibrium:
@@ -182,6 +198,21 @@ class Equilibrium(Pictures, Savable, Lazy, Immutable):
     def energy(self) -> float:
         """Elastic energy of all rods [J]."""
         return self.bend_twist_energy + self.stretch_shear_energy
+
+    @property
+    def largest_K(self) -> float:
+        """Largest curvature of all rods [1/m], between vertices too; see `RodEquilibrium`."""
+        return max(rod.largest_K for rod in self.rods)
+
+    @property
+    def largest_force(self) -> float:
+        """Largest section force of all rods [N], between vertices too."""
+        return max(rod.largest_force for rod in self.rods)
+
+    @property
+    def largest_moment(self) -> float:
+        """Largest section moment of all rods [N m], between vertices too."""
+        return max(rod.largest_moment for rod in self.rods)
 
     @property
     def reaction(self) -> Reaction:

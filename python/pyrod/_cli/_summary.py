@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from pyrod._fields import longest
 from pyrod._immutable import Array
 from pyrod.equilibrium import Equilibrium
 
@@ -28,9 +27,9 @@ def summary(result: Equilibrium) -> dict[str, Any]:
         "choice": result.choice,
         "edges": [rod.rod.edges for rod in result.rods],
         "tips": [rod.tip for rod in result.rods],
-        "largest_curvature": [longest(rod.K) for rod in result.rods],
-        "largest_force": [longest(rod.vertex_force) for rod in result.rods],
-        "largest_moment": [longest(rod.moment) for rod in result.rods],
+        "largest_curvature": [rod.largest_K for rod in result.rods],
+        "largest_force": [rod.largest_force for rod in result.rods],
+        "largest_moment": [rod.largest_moment for rod in result.rods],
         "reactions": [
             {"support": type(support).__name__, "force": r.force, "moment": r.moment}
             for support, r in zip(result.scene.supports, result.reactions, strict=True)

@@ -22,7 +22,8 @@ _PARTS = {"scene", "accuracy"} | _ARRAYS
 _PLAIN = tuple(f.name for f in fields(Equilibrium) if f.name not in _PARTS)
 _ROD = tuple(f.name for f in fields(RodEquilibrium) if f.name != "rod")
 _ENERGIES = ("bend_twist_energy", "stretch_shear_energy")
-_ROD_ARRAYS = tuple(name for name in _ROD if name not in _ENERGIES)
+_LARGEST = ("largest_K", "largest_force", "largest_moment")
+_ROD_ARRAYS = tuple(name for name in _ROD if name not in _ENERGIES + _LARGEST)
 _NODES = ("node_positions", "node_frames")
 
 
@@ -38,6 +39,7 @@ def taken_apart(result: Equilibrium) -> Parts:
     head: dict[str, Any] = {"format": FORMAT, "scene": write(result.scene)}
     head |= {name: getattr(result, name) for name in _PLAIN}
     head["energies"] = [[getattr(rod, name) for name in _ENERGIES] for rod in result.rods]
+    head["largest"] = [[getattr(rod, name) for name in _LARGEST] for rod in result.rods]
     known = result.accuracy
     head["accuracy"] = known and {f.name: getattr(known, f.name) for f in fields(known)}
     arrays = {f"record/{name}": values for name, values in result.record.items()}
@@ -67,7 +69,7 @@ def put_together(parts: Parts) -> Equilibrium:
     state = {name: head[name] for name in _PLAIN}
     state["accuracy"] = None if known is None else Accuracy(**known)
     state["scene"] = scene
-    state["rods"] = _rods(scene, head["energies"], arrays)
+    state["rods"] = _rods(scene, head, arrays)
     state["reactions"] = tuple(_reaction(i, arrays) for i in range(len(scene.supports)))
     state["record"] = {
         name.removeprefix("record/"): values
@@ -82,15 +84,17 @@ def put_together(parts: Parts) -> Equilibrium:
 
 
 def _rods(
-    scene: Scene, energies: list[list[float]], arrays: dict[str, np.ndarray]
+    scene: Scene, head: dict[str, Any], arrays: dict[str, np.ndarray]
 ) -> tuple[RodEquilibrium, ...]:
     out = []
-    for number, (rod, energy) in enumerate(zip(scene.rods, energies, strict=True)):
+    sums = zip(scene.rods, head["energies"], head["largest"], strict=True)
+    for number, (rod, energy, largest) in enumerate(sums):
         values: dict[str, Any] = {
             name: _of_shape(arrays, f"rods/{number}/{name}", _shape(name, rod.edges))
             for name in _ROD_ARRAYS
         }
         values |= zip(_ENERGIES, energy, strict=True)
+        values |= zip(_LARGEST, largest, strict=True)
         out.append(RodEquilibrium(rod, **sealed(values)))
     return tuple(out)
 

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from pyrod._fields import longest
 from pyrod._sweep.cases import RESERVED
 from pyrod.equilibrium import Equilibrium
 
@@ -17,17 +16,15 @@ Measure = Callable[[Equilibrium], Mapping[str, Any]]
 
 def summary(result: Equilibrium) -> dict[str, Any]:
     """The numbers that are kept unless others are asked for; see `sweep`."""
-    largest = {
-        f"largest_{name}": max(longest(getattr(rod, name)) for rod in result.rods)
-        for name in ("K", "force", "moment")
-    }
     kept = {
         "status": result.status,
         "iterations": result.iterations,
         "energy": result.energy,
         "index": result.index,
         "tip": result.rods[-1].tip,
-        **largest,
+        "largest_K": result.largest_K,
+        "largest_force": result.largest_force,
+        "largest_moment": result.largest_moment,
     }
     if result.lowest_eigenvalue is not None:
         kept["lowest_eigenvalue"] = result.lowest_eigenvalue

@@ -89,6 +89,6 @@ TEST_CASE_TEMPLATE("section forces at vertices are exact, also where distributed
     at_vertices[j] = at_vertices[j + 1] + rod.grid.h(j) * f;
   }
   for (int j = 0; j < n; ++j) on_edges.push_back((at_vertices[j] + at_vertices[j + 1]) / 2);
-  see_vertices(s, rod, on_edges, loads);
+  Vertices<Space>(rod, loads).see(s, on_edges);
   CHECK(distance(s.vertex_force, at_vertices) < 1e-15);
 }

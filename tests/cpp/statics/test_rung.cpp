@@ -71,7 +71,7 @@ void check_tiling(const std::vector<Row>& rows, Eigen::Index size, int left_out,
 TEST_CASE("every number has its row, and every quantity numbers") {
   const Rung rung(random_scene(), 2, nullptr);
   check_tiling(rung.vertex_rows(), rung.vertices().size(), 2 * 3, vertex_quantities);
-  check_tiling(rung.edge_rows(), rung.edges().size(), 0, quantities - vertex_quantities);
+  check_tiling(rung.edge_rows(), rung.edges().size(), 0, edge_quantities);
 }
 
 TEST_CASE("the energy of all rods is judged as well") {

@@ -42,14 +42,12 @@ struct Rod {
               "jumps: expected inner vertices in their order, got ", jumps[i].vertex);
   }
 
-  /// The frame at vertex j of a shape of the rod, see `vertex_frame`; where stiffness or rest
-  /// curvature jump, by what the two halves of the cell turn under its moment.
-  typename Space::Rotation frame_at(const CosseratCurve<Space>& curve, int j) const {
+  /// Stiffness and curvature at rest on both sides of vertex j.
+  Jump<Space> sides(int j) const {
     const auto jump = std::lower_bound(jumps.begin(), jumps.end(), j,
                                        [](const auto& a, int at) { return a.vertex < at; });
-    if (jump == jumps.end() || jump->vertex != j) return vertex_frame(grid, curve, j);
-    const Spin<Space> u = turn(curve, j), M = bending[j].cwiseProduct(u / grid.Δs(j) - K0[j]);
-    return moved(curve.frames[j - 1], jump->turn_before(u, M, grid.h(j - 1), grid.h(j)));
+    if (jump != jumps.end() && jump->vertex == j) return *jump;
+    return {j, bending[j], K0[j], bending[j], K0[j]};
   }
 
   /// The frames of an open rod at rest that starts in the frame q0.

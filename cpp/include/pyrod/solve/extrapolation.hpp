@@ -170,4 +170,26 @@ class Extrapolation {
   std::vector<std::vector<Vector>> columns_;
 };
 
+/// What one number tends to; its error is relative.
+struct Limit {
+  double value, error = std::numeric_limits<double>::infinity();
+};
+
+/// Of a number that coarse grids may tell irregularly, such as a maximum: as many of the finest are
+/// taken, three or more, as tell the least error, three times which is told. If none do, the finest
+/// is told, which is at most by its last change from its limit if errors fall to a half.
+inline Limit limit_of(const std::vector<double>& levels, double scale, bool even, double noise) {
+  Limit best{levels.back()};
+  if (levels.size() > 1)
+    best.error = 2 * std::abs(levels.back() - levels[levels.size() - 2]) / scale + noise;
+  for (auto from = levels.begin(); levels.end() - from >= 3; ++from) {
+    std::vector<Vector> taken;
+    for (auto level = from; level != levels.end(); ++level)
+      taken.push_back(Vector::Constant(1, *level));
+    const auto found = Extrapolation(taken, {{{0, 1, 0}}, {scale}, even, noise}).result();
+    if (3 * found.error() < best.error) best = {found.values[0], 3 * found.error()};
+  }
+  return best;
+}
+
 }  // namespace pyrod

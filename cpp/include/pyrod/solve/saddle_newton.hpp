@@ -80,15 +80,13 @@ class SaddleNewton {
     return inverse_iteration(factor_, weights_, above, 100, above > 0);
   }
 
-  /// Whether the state that was solved for last can move without any change of energy, to first
-  /// sight: two inverse iterations bring out a mode whose eigenvalue is that of the shift. With
-  /// that mode.
-  std::optional<Mode> neutral_mode() {
+  /// The softest mode at the state that was solved for last, to first sight: two inverse iterations
+  /// bring it out if it is soft, one without stiffness with the eigenvalue of the shift. Its
+  /// eigenvalue is relative to the stiffness.
+  std::optional<Mode> soft_mode() {
     factor_.factorise(0);
     if (factor_.broken()) return std::nullopt;
-    const Mode mode = inverse_iteration(factor_, factor_.stiffness(), 0, 2, false);
-    if (!(std::abs(mode.eigenvalue) < 3 * ShiftedFactor::always)) return std::nullopt;
-    return mode;
+    return inverse_iteration(factor_, factor_.stiffness(), 0, 2, false);
   }
 
   /// The step that rounding of the gradient may ask for, at the state that was solved for last:

@@ -4,9 +4,8 @@
 
 #include <pyrod/rod/model.hpp>
 #include <pyrod/rod/moment_law.hpp>
-#include <pyrod/rod/rod.hpp>
-#include <pyrod/statics/loads.hpp>
-#include <pyrod/statics/rod_solution.hpp>
+#include <pyrod/statics/extremes.hpp>
+#include <pyrod/statics/vertices.hpp>
 
 namespace pyrod {
 
@@ -30,9 +29,11 @@ class CantileverShape {
     const auto force = loads_.section_forces();
     const Rotation& last = out.curve.frames.back();
     out.curve.end_frame = moved(last, turn_under(last, loads_.end_couple));
-    weigh(out);
-    place(out, r0, force);
-    see_vertices(out, rod_, force, loads_, stride_);
+    Extremes<Space> extremes(rod_);
+    weigh(out, extremes);
+    place(out, r0, force, extremes);
+    Vertices<Space>(rod_, loads_, {}, stride_).see(out, force);
+    out.largest = extremes.largest(out, stride_);
     out.load = lumped(loads_.force, stride_);
     if (stride_ == 1)
       out.force = force;
@@ -54,8 +55,8 @@ class CantileverShape {
   bool is_centre(int vertex) const { return vertex % stride_ == stride_ / 2; }
 
   /// Positions from the section forces, r_j = r_{j-1} + h R Γ, and what edges say.
-  void place(RodSolution<Space>& out, Point<Space> r,
-             const std::vector<Point<Space>>& force) const {
+  void place(RodSolution<Space>& out, Point<Space> r, const std::vector<Point<Space>>& force,
+             Extremes<Space>& extremes) const {
     out.load_moment = loads_.total_couple();
     out.curve.positions.push_back(r);
     if (stride_ > 1) out.load_moment += cross(r, loads_.force[0]);
@@ -72,20 +73,23 @@ class CantileverShape {
         out.force.push_back((n_before + force[j]) / 2);
         out.strains.Γ.push_back((Γ_before + Γ) / 2);
       }
+      extremes.add_force(force[j] + loads_.share(j, out.curve.frames[j]));
       r += rod_.grid.h(j) * (R * Γ);
       if (tells(j + 1)) out.curve.positions.push_back(r);
       if (stride_ > 1) out.load_moment += cross(r, loads_.force[j + 1]);
       Γ_before = Γ, n_before = force[j];
     }
+    extremes.add_force(n_before);  // replaced by what is told at the end
   }
 
   /// Curvatures, moments and energies.
-  void weigh(RodSolution<Space>& out) const {
+  void weigh(RodSolution<Space>& out, Extremes<Space>& extremes) const {
     for (int j = 0; j <= rod_.edges(); ++j) {
       const Spin<Space> u = turn(out.curve, j), &C = rod_.bending[j], &K0 = rod_.K0[j];
       const double Δs = rod_.grid.Δs(j);
       const Spin<Space> ΔK = u / Δs - K0, M = C.cwiseProduct(ΔK);
       out.bend_twist_energy += Δs * ΔK.dot(M) / 2;
+      extremes.add_cell(u, M);
       if (!tells(j)) continue;
       out.strains.K.push_back(u / Δs);
       out.material_moment.push_back(M);

@@ -31,6 +31,7 @@ inline void turn(Rung& rung, const Quaternion& by, const Vec3& centre) {
     for (auto& r : rod.curve.positions) r = centre + rotate(by, Vec3(r - centre));
     for (auto* list : {&rod.vertex_force, &rod.moment, &rod.force})
       for (auto& v : *list) v = rotate(by, v);
+    for (auto& b : rod.before) b.force = rotate(by, b.force), b.moment = rotate(by, b.moment);
     for (auto* list : {&rod.vertex_frames, &rod.curve.frames})
       for (auto& q : *list) q = by * q;
   }

@@ -81,8 +81,13 @@ class Ladder {
   double step_tolerance() const {
     if (quadratic_ == 0) return 1e-8;
     const double left = std::min(1e-13, 0.01 * tolerance_);
-    return std::clamp(std::sqrt(left / quadratic_), 1e-12, 1e-4);
+    const double most = std::min(1e-4, left / soft_left());
+    return std::clamp(std::sqrt(left / quadratic_), 1e-12, std::max(most, 1e-12));
   }
+
+  /// The part of a step along a soft mode that the next one has still to go; where it is neutral,
+  /// nothing tells where it ends.
+  double soft_left() const { return solution_.neutral ? 0 : solution_.softness.left(); }
 
   /// Along a motion that costs nothing small steps are rounding, and tell nothing of C.
   void note_record() {
@@ -99,11 +104,13 @@ class Ladder {
     load_steps_ += solution_.load_steps;
   }
 
-  /// An equilibrium of another kind than those below begins the ladder anew.
+  /// An equilibrium of another kind than those below begins the ladder anew; so does one that tells
+  /// jumps at other vertices.
   void add(int stride) {
     for (std::size_t i = 0; i < solution_.rods.size(); ++i)
       take_curvatures(solution_.rods[i], scene_.rods[i]);
-    if (solution_.descents > 0 || solution_.index != index_) forget();
+    const bool other = !rungs_.empty() && !rungs_.back().same_places(solution_.rods);
+    if (solution_.descents > 0 || solution_.index != index_ || other) forget();
     index_ = solution_.index;
     rungs_.emplace_back(solution_, stride, rungs_.empty() ? nullptr : &rungs_.back());
     if (rungs_.size() > 1 && solution_.neutral)
@@ -123,6 +130,12 @@ class Ladder {
       seen.material_moment[j] = unrotate(seen.vertex_frames[j], seen.moment[j]);
       seen.strains.K[j] = rod.K0[j] + seen.material_moment[j].cwiseQuotient(rod.bending[j]);
     }
+    for (auto& b : seen.before) {
+      const auto j = std::size_t(b.vertex);
+      const auto sides = rod.sides(b.vertex);
+      b.K = sides.K_before(unrotate(seen.vertex_frames[j], b.moment));
+      seen.strains.K[j] = sides.K_behind(seen.material_moment[j]);
+    }
   }
 
   void judge(int level) {
@@ -134,8 +147,23 @@ class Ladder {
                                           noise()})
                      .result();
     order_ = found.order;
+    add_soft_errors(found.errors, all[std::size_t(Quantity::curvatures)]);
     if (found.error() > best_.error) return;
     best_ = {found.error(), std::move(found), level, rungs_.size()};
+  }
+
+  /// How far along a soft mode the finest grid may be from its equilibrium: differences of grids
+  /// tell nothing of it. Of the energy it is a square. `K`: the scale of curvatures.
+  void add_soft_errors(std::vector<double>& errors, double K) const {
+    const auto& soft = solution_.softness;
+    if (solution_.neutral || !soft.soft() || solution_.record.empty()) return;
+    const double turn = soft.drift / 2 + 2 * solution_.record.back().step * soft.left();
+    const double bend = turn * std::max(1., soft.bend / K);
+    for (const auto what : {Quantity::positions, Quantity::frames})
+      errors[std::size_t(what)] += turn;
+    for (const auto what : {Quantity::curvatures, Quantity::forces, Quantity::moments,
+                            Quantity::reactions, Quantity::reaction_moments})
+      errors[std::size_t(what)] += bend;
   }
 
   /// What the rungs up to the best one say of edges.
@@ -144,10 +172,11 @@ class Ladder {
     for (std::size_t i = 0; i < best_.rungs; ++i)
       if (rungs_[i].stride > 1) edges.push_back(rungs_[i].edges());
     const auto all = scales();
-    const Judgement judgement{rungs_[0].edge_rows(),
-                              {all.begin() + vertex_quantities, all.end()},
-                              rungs_[best_.rungs - 1].one_axis,
-                              noise()};
+    const Judgement judgement{
+        rungs_[0].edge_rows(),
+        {all.begin() + vertex_quantities, all.begin() + vertex_quantities + edge_quantities},
+        rungs_[best_.rungs - 1].one_axis,
+        noise()};
     Extrapolation extrapolation(edges, judgement);
     return best_.vertices.regular ? extrapolation.trusted() : extrapolation.result();
   }
@@ -207,6 +236,8 @@ class Ladder {
                 out.reached.errors.begin());
       std::copy(edges.errors.begin(), edges.errors.end(),
                 out.reached.errors.begin() + vertex_quantities);
+      out.reached.errors[std::size_t(Quantity::extremes)] =
+          tell_extremes({rungs_.data(), best_.rungs}, scales(), noise(), rung);
     }
     out.reached.order = order_;
     out.reached.levels = level + 1;

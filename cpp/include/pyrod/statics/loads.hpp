@@ -25,6 +25,14 @@ struct FollowerCouple {
   Spin<Space> couple;
 };
 
+/// A moment that acts at an inner vertex: what of it the edges before and behind the vertex feel.
+template <class Space>
+struct VertexCouple {
+  int vertex;
+  Spin<Space> before, behind;
+  bool follows;  ///< material components of either edge; else spatial
+};
+
 /// Curvature that a rod has at rest at its ends, by which a frame there differs from its edge's.
 template <class Space>
 struct EndCurvature {
@@ -45,6 +53,8 @@ struct Loads {
   std::vector<FollowerForce<Space>> following_forces;
   std::vector<FollowerCouple<Space>> following_couples;
   Spin<Space> following_end_couple = Spin<Space>::Zero();  ///< in the frame of the end
+  std::vector<int> pushed;                                 ///< vertices on which point forces act
+  std::vector<VertexCouple<Space>> vertex_couples;         ///< are among the couples as well
 
   explicit Loads(int edges)
       : force(edges + 1, Point<Space>::Zero()), couple(edges, Spin<Space>::Zero()) {}
@@ -59,6 +69,7 @@ struct Loads {
     const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));  // 1 at the end, exactly
     force[j] += (1 - t) * F;
     force[j + 1] += t * F;
+    note_force(grid, s, t < 0.5 ? j : j + 1);
   }
 
   /// A couple at arc length s, shared by the two edges whose centres are beside it.
@@ -76,6 +87,7 @@ struct Loads {
     const double t = j == n ? 0 : (s - left) / (grid.centre(j) - left);
     (j > 0 ? couple[j - 1] : start_couple) += (1 - t) * M;
     if (j < n) couple[j] += t * M;
+    note_couple(grid, (1 - t) * M, t * M, s, j, false);
   }
 
   /// A force at arc length s in the components of the frame there: that of the edge; at a vertex
@@ -89,6 +101,7 @@ struct Loads {
     int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
     j = std::min(j, grid.edges() - 1);
     const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));
+    note_force(grid, s, t < 0.5 ? j : j + 1);
     const auto put = [&](int edge, int vertex, double part,
                          const Spin<Space>& turn = Spin<Space>::Zero()) {
       if (part > 0)
@@ -112,8 +125,11 @@ struct Loads {
     share_out(grid, f, following_shares);
   }
 
-  /// A couple at arc length s in the components of the frame there, shared like a dead one.
-  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s) {
+  /// A couple at arc length s in the components of the frame there, shared like a dead one. The
+  /// frames of the edges beside it are turned back by what the couple itself bends their halves,
+  /// `compliance` 1/C: else at a vertex the sum would be off by a part of h C⁻¹ M × M.
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s,
+                            const Spin<Space>& compliance = Spin<Space>::Zero()) {
     check_edges(grid.edges());
     s = grid.on_rod(s);
     const int n = grid.edges();
@@ -125,8 +141,15 @@ struct Loads {
     while (j < n - 1 && grid.centre(j) <= s) ++j;
     const double left = j == 0 ? grid.centre(0) - 1 : grid.centre(j - 1);
     const double t = std::clamp((s - left) / (grid.centre(j) - left), 0., 1.);
-    if (j > 0 && t < 1) following_couples.push_back({j - 1, (1 - t) * M});
-    following_couples.push_back({j, j > 0 ? Spin<Space>(t * M) : M});
+    const auto part = [&](double of, double length) -> Spin<Space> {
+      return of * rotate_spin(exp(Spin<Space>(length * of * compliance.cwiseProduct(M))), M);
+    };
+    const bool beside = j > 0 && t < 1;
+    const Spin<Space> before = beside ? part(1 - t, s - left) : Spin<Space>::Zero(),
+                      behind = beside ? part(t, grid.centre(j) - s) : M;
+    if (beside) following_couples.push_back({j - 1, before});
+    following_couples.push_back({j, behind});
+    if (beside) note_couple(grid, before, behind, s, j, true);
   }
 
   void add_following_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
@@ -253,6 +276,21 @@ struct Loads {
               c.couple.transpose(), "; expected an edge of the rod, and finite numbers");
     require(following_end_couple.allFinite(), "loads: a following moment is not finite, ",
             following_end_couple.transpose());
+  }
+
+  static bool is_vertex(const Grid& grid, double s, int j) {
+    return std::abs(s - grid.s(j)) <= 1e-9 * grid.Δs(j);
+  }
+
+  void note_force(const Grid& grid, double s, int nearest) {
+    if (is_vertex(grid, s, nearest)) pushed.push_back(nearest);
+  }
+
+  /// Keeps a couple at s, shared by the edges j - 1 and j, if the vertex between them is there.
+  void note_couple(const Grid& grid, const Spin<Space>& before, const Spin<Space>& behind, double s,
+                   int j, bool follows) {
+    if (j == 0 || j == grid.edges() || !is_vertex(grid, s, j)) return;
+    vertex_couples.push_back({j, before, behind, follows});
   }
 
   static void share_out(const Grid& grid, const std::vector<Point<Space>>& f,

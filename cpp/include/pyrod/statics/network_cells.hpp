@@ -76,8 +76,10 @@ class NetworkCells : public NetworkSkew<Space> {
     const Rotation held = held_frame(x, a);
     const Spin<Space> u =
         log(principal(before ? x.frames[e].conjugate() * held : held.conjugate() * x.frames[e]));
-    const auto jet = bend_twist<kind>(u, typename Space::Differential(u), rod.bending[a.vertex],
-                                      rod.K0[a.vertex], rod.grid.h(j) / 2);
+    const auto sides = rod.sides(a.vertex);
+    const auto jet = bend_twist<kind>(
+        u, typename Space::Differential(u), before ? sides.bending_before : sides.bending_behind,
+        before ? sides.K0_before : sides.K0_behind, rod.grid.h(j) / 2);
     add_energy(jet.energy, out);
     out.gradient.template segment<spin>(first_[q]) += before ? jet.a : jet.b;
     out.hessian.add_diagonal(q, before ? jet.aa : jet.bb);

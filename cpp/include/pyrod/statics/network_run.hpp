@@ -141,11 +141,7 @@ NetworkRun<Space> run(const Network<Spatial>& net, const Clamp& at,
   } else {
     out.result = solver.solve();
   }
-  for (const auto& rod : out.result.solution.rods) {
-    const std::size_t i = out.rods.size();
-    out.rods.push_back(placed(rod, here));
-    see_vertices(out.rods[i], net.rods[i], out.rods[i].force, net.loads[i]);
-  }
+  for (const auto& rod : out.result.solution.rods) out.rods.push_back(placed(rod, here));
   for (const auto& v : out.result.solution.nodes)
     out.nodes.push_back({here.position + rotate(here.frame, embed(v.position)),
                          rotate(here.frame, embed(v.reaction_force)), here.frame * embed(v.frame),

@@ -6,6 +6,7 @@
 #include <pyrod/solve/saddle_newton.hpp>
 #include <pyrod/statics/levels.hpp>
 #include <pyrod/statics/recovery.hpp>
+#include <pyrod/statics/softness.hpp>
 #include <pyrod/statics/start.hpp>
 
 #include <memory>
@@ -31,6 +32,7 @@ struct NetworkResult {
   int descents = 0;    ///< saddles that the search left along their unstable modes
   bool conservative = true;
   bool neutral = false;           ///< it can move along `mode` without a change of energy
+  Softness softness;              ///< if the loads have a potential
   std::vector<Spin<Space>> mode;  ///< of the edges, material [rad]; if asked for, or neutral
   double lowest_eigenvalue = 0;   ///< if it was asked for, [N m]: of ∫ |φ|² ds/L
   Rounding rounding;              ///< if it was asked for
@@ -147,8 +149,10 @@ class NetworkSolver {
   }
 
   void look_at_modes(const Problem& problem, SaddleNewton<Problem>& newton) {
-    auto mode = newton.neutral_mode();
-    out_.neutral = mode.has_value();
+    auto mode = newton.soft_mode();
+    out_.softness = mode ? softness(problem, *mode) : Softness{};
+    out_.neutral = out_.softness.neutral();
+    if (!out_.neutral) mode.reset();
     if (more_.eigenvalue) {
       mode = newton.lowest_mode();
       out_.lowest_eigenvalue = mode->eigenvalue;
@@ -156,6 +160,31 @@ class NetworkSolver {
     out_.mode.clear();
     for (int j = 0; mode && j < fine_->edges(); ++j)
       out_.mode.push_back(mode->shape.template segment<Space::spin>(problem.first_row(j)));
+  }
+
+  /// Rounding leaves moments in the cells of an eighth of what the rows allow for, at random, which
+  /// push along the mode by what it turns the cells.
+  Softness softness(const Problem& problem, const Mode& mode) const {
+    Softness out{mode.eigenvalue};
+    Vector rounding;
+    problem.rounding(out_.state, rounding);
+    double squares = 0;
+    for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod) {
+      const auto& r = fine_->network().rods[rod];
+      for (int j = 1; j < r.edges(); ++j) {
+        const int before = problem.first_row(fine_->edge(rod, j - 1)),
+                  behind = problem.first_row(fine_->edge(rod, j));
+        const double change = (mode.shape.template segment<Space::spin>(behind) -
+                               mode.shape.template segment<Space::spin>(before))
+                                  .norm();
+        squares += std::pow(change * rounding[behind] / 8, 2);
+        out.bend = std::max(out.bend, change / r.grid.Δs(j));
+      }
+    }
+    const double stiffness =
+        std::abs(mode.eigenvalue) * mode.shape.cwiseAbs2().dot(problem.stiffness());
+    out.drift = std::sqrt(squares) / stiffness;
+    return out;
   }
 
   void keep(Result<NetworkState<Space>>&& result) {

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <pyrod/rod/moment_law.hpp>
+#include <pyrod/statics/extremes.hpp>
 #include <pyrod/statics/network_equilibrium.hpp>
-#include <pyrod/statics/rod_solution.hpp>
+#include <pyrod/statics/vertices.hpp>
 
 #include <map>
 
@@ -41,6 +42,7 @@ class Recovery {
     place();
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) weigh(rod);
     react();
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) see(rod);
     for (auto& rod : out_.rods)
       if (rod.curve.positions.size() > rod.moment.size()) rod.curve.positions.pop_back();
     return std::move(out_);
@@ -172,7 +174,8 @@ class Recovery {
     s.bend_twist_energy += Δs * ΔK.dot(M) / 2;
   }
 
-  /// A vertex that is held: the halves of its cell turn by themselves; what is told is their mean.
+  /// A vertex that is held: the halves of its cell turn by themselves. What is told here is their
+  /// mean, of inner vertices of an open rod in the end both sides.
   void add_halves(int rod, int j, const Attachment<Space>& a) {
     auto& s = out_.rods[rod];
     const auto& r = net_.rods[rod];
@@ -181,14 +184,15 @@ class Recovery {
     const Spin<Space> u = log(principal(s.curve.frames[before].conjugate() * h)),
                       v = log(principal(h.conjugate() * s.curve.frames[j]));
     const double du = r.grid.h(before) / 2, dv = r.grid.h(j) / 2;
-    const Spin<Space> ΔU = u / du - r.K0[j], ΔV = v / dv - r.K0[j];
-    const auto& C = r.bending[j];
+    const auto on = r.sides(j);
+    const Spin<Space>&C = on.bending_before, &D = on.bending_behind;
+    const Spin<Space> ΔU = u / du - on.K0_before, ΔV = v / dv - on.K0_behind;
     s.strains.K.push_back((u + v) / (du + dv));
-    s.material_moment.push_back(C.cwiseProduct(s.strains.K.back() - r.K0[j]));
-    s.moment.push_back(rotate_spin(h, transmitted_moment<Space>(v, C, r.K0[j], dv)));
-    s.bend_twist_energy += (du * ΔU.dot(C.cwiseProduct(ΔU)) + dv * ΔV.dot(C.cwiseProduct(ΔV))) / 2;
+    s.material_moment.push_back(r.bending[j].cwiseProduct(s.strains.K.back() - r.K0[j]));
+    s.moment.push_back(rotate_spin(h, transmitted_moment<Space>(v, D, on.K0_behind, dv)));
+    s.bend_twist_energy += (du * ΔU.dot(C.cwiseProduct(ΔU)) + dv * ΔV.dot(D.cwiseProduct(ΔV))) / 2;
     before_[{rod, j}] =
-        rotate_spin(s.curve.frames[before], transmitted_moment<Space>(u, C, r.K0[j], du));
+        rotate_spin(s.curve.frames[before], transmitted_moment<Space>(u, C, on.K0_before, du));
   }
 
   /// What the supports exert: all that acts on a node adds up to zero with it.
@@ -225,6 +229,25 @@ class Recovery {
       else
         m += before_[{rod, a.vertex}];
     }
+  }
+
+  /// What vertices say, when reactions have been told from what the halves of their cells exert.
+  void see(int rod) {
+    const auto& r = net_.rods[rod];
+    if (r.grid.closed()) return;
+    auto& s = out_.rods[rod];
+    std::vector<HeldVertex<Space>> on;
+    for (const auto& a : layout_.attached(rod)) {
+      if (a.vertex == 0 || a.vertex == r.edges()) continue;
+      on.push_back({a.vertex});
+      if (a.rigid) on.back().frame = held(a), on.back().moment_before = before_[{rod, a.vertex}];
+    }
+    Extremes<Space> extremes(r);
+    for (int j = 0; j <= r.edges(); ++j)
+      extremes.add_cell(r.grid.Δs(j) * s.strains.K[j], s.material_moment[j]);
+    Vertices<Space>(r, net_.loads[rod], std::move(on)).see(s, s.force);
+    for (const auto& n : s.vertex_force) extremes.add_force(n);
+    s.largest = extremes.largest(s, 1);
   }
 
   const NetworkEquilibrium<Space>& problem_;

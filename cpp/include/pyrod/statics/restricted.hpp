@@ -81,6 +81,12 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   for (const auto& c : loads.following_couples)
     out.following_couples.push_back({c.edge, about_normal<Space>(c.couple)});
   out.following_end_couple = about_normal<Space>(loads.following_end_couple);
+  out.pushed = loads.pushed;
+  for (const auto& c : loads.vertex_couples)
+    out.vertex_couples.push_back(
+        c.follows ? VertexCouple<Space>{c.vertex, about_normal<Space>(c.before),
+                                        about_normal<Space>(c.behind), true}
+                  : VertexCouple<Space>{c.vertex, spin(c.before), spin(c.behind), false});
   return out;
 }
 

@@ -5,7 +5,6 @@
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/embedding.hpp>
 #include <pyrod/rotation/unit.hpp>
-#include <pyrod/statics/loads.hpp>
 
 namespace pyrod {
 
@@ -16,43 +15,38 @@ struct Clamp {
   Quaternion frame = Quaternion::Identity();
 };
 
-/// A rod in equilibrium. Spatial unless a name says material.
+/// What holds just before an inner vertex at which something acts, holds or jumps.
+template <class Space>
+struct Before {
+  int vertex;
+  Point<Space> force;
+  Spin<Space> K, moment;
+  bool halves;  ///< the frame there is told by what the halves of the cell turn
+};
+
+/// The largest norms along a rod, between its vertices too; see `Extremes`.
+struct Largest {
+  double K = 0, force = 0, moment = 0;
+};
+
+/// A rod in equilibrium. Spatial unless a name says material. What jumps at a vertex is told as it
+/// is just behind, but at the end of the rod; for the other side see `before`.
 template <class Space>
 struct RodSolution {
   CosseratCurve<Space> curve;
   Strains<Space> strains;
-  std::vector<Point<Space>> force;           ///< n on the n edges
-  std::vector<Point<Space>> material_force;  ///< N = Rᵀn
-  std::vector<Spin<Space>>
-      moment;  ///< m at the vertices; where the rod is held, of the cell behind
+  std::vector<Point<Space>> force;                      ///< n on the n edges
+  std::vector<Point<Space>> material_force;             ///< N = Rᵀn
+  std::vector<Spin<Space>> moment;                      ///< m at the vertices
   std::vector<Spin<Space>> material_moment;             ///< M = C (K − K0)
-  std::vector<typename Space::Rotation> vertex_frames;  ///< between the edges'; see `see_vertices`
+  std::vector<typename Space::Rotation> vertex_frames;  ///< between the edges'; see `Vertices`
   std::vector<Point<Space>> vertex_force;               ///< n at the vertices
+  std::vector<Before<Space>> before;                    ///< inner vertices, in their order
   std::vector<Point<Space>> load;                       ///< what acts on the vertices
   Spin<Space> load_moment = Spin<Space>::Zero();        ///< sum of the couples that act on the rod
   double bend_twist_energy = 0, stretch_shear_energy = 0;
+  Largest largest;
 };
-
-/// Frames and section forces at every `stride`-th vertex, inside the rod at its ends. Where a point
-/// force acts on a vertex, the section force is the mean of those on its two sides.
-template <class Space>
-void see_vertices(RodSolution<Space>& s, const Rod<Space>& rod,
-                  const std::vector<Point<Space>>& force, const Loads<Space>& loads,
-                  int stride = 1) {
-  const int n = rod.edges();
-  s.vertex_frames.reserve(std::size_t(n / stride + 1));
-  s.vertex_force.reserve(std::size_t(n / stride + 1));
-  for (int j = 0; j <= n; j += stride) {
-    s.vertex_frames.push_back(rod.frame_at(s.curve, j));
-    const auto before = [&] {
-      return Point<Space>(force[j - 1] - loads.share(j - 1, s.curve.frames[j - 1]));
-    };
-    const auto behind = [&] { return Point<Space>(force[j] + loads.share(j, s.curve.frames[j])); };
-    s.vertex_force.push_back(j == 0   ? behind()
-                             : j == n ? before()
-                                      : Point<Space>((before() + behind()) / 2));
-  }
-}
 
 /// Forces on vertices brought to every `stride`-th, as by levers.
 template <class Vector>
@@ -94,9 +88,14 @@ RodSolution<Spatial> placed(const RodSolution<Space>& local, const Clamp& at) {
            [](const auto& N) -> Vec3 { return embed(N); });
   to_space(local.material_moment, out.material_moment,
            [](const auto& M) -> Vec3 { return embed_spin(M); });
+  to_space(local.before, out.before, [&](const auto& b) -> Before<Spatial> {
+    return {b.vertex, vector(b.force), embed_spin(b.K), rotate(at.frame, embed_spin(b.moment)),
+            b.halves};
+  });
   out.load_moment = rotate(at.frame, embed_spin(local.load_moment));
   out.bend_twist_energy = local.bend_twist_energy;
   out.stretch_shear_energy = local.stretch_shear_energy;
+  out.largest = local.largest;
   return out;
 }
 

@@ -7,11 +7,12 @@
 #include <pyrod/statics/scene_solution.hpp>
 
 #include <array>
+#include <span>
 
 namespace pyrod {
 
-/// What an error is told of. Those up to `reaction_moments` are of vertices and sums; the others
-/// are of edges, at their centres.
+/// What an error is told of. Those up to `reaction_moments` are of vertices and sums; those up to
+/// `strains` of edges, at their centres; the last of the largest values along rods.
 enum class Quantity {
   unjudged = -1,
   positions,
@@ -24,12 +25,13 @@ enum class Quantity {
   reaction_moments,
   edge_frames,
   edge_forces,
-  strains
+  strains,
+  extremes
 };
-constexpr int vertex_quantities = 8, quantities = 11;
+constexpr int vertex_quantities = 8, edge_quantities = 3, quantities = 12;
 constexpr std::array<const char*, quantities> quantity_names{
     "positions", "frames",           "curvatures",  "forces",      "moments", "energy",
-    "reactions", "reaction_moments", "edge_frames", "edge_forces", "strains"};
+    "reactions", "reaction_moments", "edge_frames", "edge_forces", "strains", "extremes"};
 
 /// A solution on a grid whose edges are those of the coarsest cut in `stride` parts, seen there. A
 /// coarse edge is seen at its centre: there must be a vertex, so that `stride` is even, or it is 1.
@@ -51,6 +53,9 @@ inline RodSolution<Spatial> seen(const RodSolution<Spatial>& fine, int stride) {
     out.force.push_back((fine.force[before] + fine.force[behind]) / 2);
     out.strains.Γ.push_back((fine.strains.Γ[before] + fine.strains.Γ[behind]) / 2);
   }
+  for (auto b : fine.before)
+    if (b.vertex % stride == 0) b.vertex /= stride, out.before.push_back(b);
+  out.largest = fine.largest;
   out.load = lumped(fine.load, stride);
   out.load_moment = fine.load_moment;  // with that of the forces, about the origin
   for (std::size_t j = 0; j < fine.load.size(); ++j)
@@ -73,6 +78,11 @@ void visit_vertices(Rods& rods, Nodes& nodes, Visit&& visit) {
     each(Quantity::curvatures, rod.strains.K);
     each(Quantity::forces, rod.vertex_force);
     each(Quantity::moments, rod.moment);
+    for (auto& b : rod.before) {
+      visit(Quantity::forces, b.force.data(), 3);
+      visit(Quantity::curvatures, b.K.data(), 3);
+      visit(Quantity::moments, b.moment.data(), 3);
+    }
     each(Quantity::forces, rod.load);
     visit(Quantity::unjudged, rod.load_moment.data(), 3);  // its size tells where the origin is
     visit(Quantity::energy, &rod.bend_twist_energy, 1);
@@ -139,6 +149,14 @@ struct Rung {
     return sum;
   }
 
+  /// Whether these rods have both sides told at the same vertices.
+  bool same_places(const std::vector<RodSolution<Spatial>>& others) const {
+    return std::ranges::equal(rods, others, [](const auto& a, const auto& b) {
+      return std::ranges::equal(a.before, b.before, {}, &Before<Spatial>::vertex,
+                                &Before<Spatial>::vertex);
+    });
+  }
+
   /// The energy of all rods comes last: errors of theirs may add up.
   Vector vertices() const {
     std::vector<double> out;
@@ -177,9 +195,10 @@ struct Rung {
 
  private:
   /// A half cell, at an end that is held, is then half of a whole one; otherwise it is off by a
-  /// term in u × m, and brings odd powers.
+  /// term in u × m, and brings odd powers. So does a frame between halves that bend differently.
   static bool bends_about_its_moment(const RodSolution<Spatial>& rod) {
     double K = 0, M = 0, across = 0;
+    if (std::ranges::any_of(rod.before, &Before<Spatial>::halves)) return false;
     for (std::size_t j = 0; j < rod.strains.K.size(); ++j) {
       const Vec3 &Kj = rod.strains.K[j], &Mj = rod.material_moment[j];
       K = std::max(K, Kj.norm()), M = std::max(M, Mj.norm());
@@ -202,5 +221,26 @@ struct Rung {
     for (std::size_t v = 0; v < nodes.size(); ++v) align(nodes[v].frame, before.nodes[v].frame);
   }
 };
+
+/// Puts what the largest values along rods tend to into `told`, and returns by how much they may be
+/// wrong. `scales` of all quantities; `noise`: relative rounding errors of the finest grid.
+inline double tell_extremes(std::span<const Rung> rungs,
+                            const std::array<double, quantities>& scales, double noise,
+                            Rung& told) {
+  double error = 0;
+  const auto tell = [&](std::size_t rod, double Largest::* kind, Quantity like) {
+    std::vector<double> levels;
+    for (const auto& rung : rungs) levels.push_back(rung.rods[rod].largest.*kind);
+    const auto limit = limit_of(levels, scales[std::size_t(like)], rungs.back().one_axis, noise);
+    told.rods[rod].largest.*kind = limit.value;
+    error = std::max(error, limit.error);
+  };
+  for (std::size_t rod = 0; rod < told.rods.size(); ++rod) {
+    tell(rod, &Largest::K, Quantity::curvatures);
+    tell(rod, &Largest::force, Quantity::forces);
+    tell(rod, &Largest::moment, Quantity::moments);
+  }
+  return error;
+}
 
 }  // namespace pyrod

@@ -19,6 +19,7 @@ struct SceneSolution {
   double lowest_eigenvalue = 0;
   Rounding rounding;
   std::vector<Iteration> record;
+  Softness softness;  ///< of a network whose loads have a potential
 
   bool converged() const { return status == Status::converged; }
 };
@@ -52,7 +53,8 @@ SceneSolution scene_solution(NetworkRun<Space>&& from) {
                     {},
                     r.lowest_eigenvalue,
                     r.rounding,
-                    std::move(from.result.record)};
+                    std::move(from.result.record),
+                    r.softness};
   for (const auto& φ : r.mode) out.mode.push_back(embed_spin(φ));
   return out;
 }
