@@ -10,21 +10,36 @@
 
 namespace pyrod::bind {
 
-/// Loads together with the grid they are brought to, and with how that is done on a grid whose
-/// edges are `parts`-ths.
+/// Loads together with the grid they are brought to, and with how that is done on finer ones.
+/// Places are found once, on the grid of level 0, whose edges this one has cut in `parts`.
 struct GridLoads {
   using Recipe = std::function<void(Loads<Spatial>&, const Grid&, int parts)>;
 
-  Grid grid;
+  Grid places, grid;
   EndCurvature<Spatial> K0;
   Loads<Spatial> loads;
+  int parts = 1;
   std::vector<Recipe> recipes = {};
 
+  explicit GridLoads(const Rod<Spatial>& rod) : GridLoads(rod, rod.grid) {}
+
+  GridLoads(const Rod<Spatial>& rod, const Grid& level0)
+      : places(level0),
+        grid(rod.grid),
+        K0{rod.K0.front(), rod.K0.back()},
+        loads(rod.edges()),
+        parts(rod.edges() / level0.edges()) {
+    require(parts * level0.edges() == rod.edges(),
+            "rod: its edges must be those of level 0, cut: ", rod.edges(), " are no multiple of ",
+            level0.edges());
+  }
+
   void add(Recipe recipe) {
-    recipe(loads, grid, 1);
+    recipe(loads, grid, parts);
     recipes.push_back(std::move(recipe));
   }
 
+  /// On a finer grid; `this` is on that of level 0.
   Loads<Spatial> on(const Grid& finer) const {
     Loads<Spatial> out(finer.edges());
     for (const auto& recipe : recipes) recipe(out, finer, finer.edges() / grid.edges());
@@ -42,6 +57,7 @@ struct Outcome {
 struct Job {
   std::function<Outcome(const Trace&)> work;
   std::vector<py::object> keep;
+  std::function<py::object()> so_far = [] { return py::none(); };  ///< of a climb, see `SoFar`
 };
 
 /// Frames (and nodes) to start from; of a rod of so many edges.

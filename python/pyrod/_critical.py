@@ -112,6 +112,7 @@ def critical_load(
     upper = 100 * guess if upper is None else upper
     grids = on_its_grid(scene._ladder.scene), scene._ladder._at(1)
     frames = _frames(start)
+    frames = None if frames is None else scene._ladder.brought(frames)
     starts = frames, None if frames is None else np.repeat(frames, 2, axis=0)
     paths = [
         Path(grid, growing, options or Options(), on)

@@ -59,10 +59,7 @@ constexpr std::string_view advice(Status status) {
              "means "
              "nothing: use more edges where the rod turns most";
     case Status::not_accurate:
-      return "the tolerance was not reached within max_edges, or above rounding: the errors that "
-             "were "
-             "reached are told; a load, stiffness or curvature that jumps needs a vertex there "
-             "(Rod.with_vertices)";
+      return "the error that was wanted was not reached; the errors that were are told";
   }
   return "";
 }

@@ -6,9 +6,37 @@
 #include <pyrod/rotation/space.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace pyrod {
+
+/// A place on a rod: a part of an edge, 0 at the vertex before it; the end is 1 of the last edge.
+/// On finer grids it is the same by number: arc lengths are off by rounding.
+struct Site {
+  int edge;
+  double part;
+
+  /// Within 1e-9 of an edge's length of a vertex it is that.
+  static Site on(const Grid& grid, double s) {
+    s = grid.on_rod(s);
+    const auto& S = grid.arc_lengths();
+    const int n = grid.edges();
+    const int j = std::min(int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1, n - 1);
+    const double part = (s - grid.s(j)) / grid.h(j);
+    if (part > 1e-9 && part < 1 - 1e-9) return {j, part};
+    const int vertex = part < 0.5 ? j : j + 1;
+    return vertex == n ? Site{n - 1, 1} : Site{vertex, 0};
+  }
+
+  /// Where every edge is cut in so many.
+  Site refined(int parts) const {
+    const int whole = std::min(int(part * parts), parts - 1);
+    return {edge * parts + whole, part * parts - whole};
+  }
+
+  bool is_end(const Grid& grid) const { return edge == grid.edges() - 1 && part == 1; }
+};
 
 /// A force that turns with the frame of an edge and acts on a vertex; material components.
 template <class Space>
@@ -48,47 +76,37 @@ struct Loads {
   explicit Loads(int edges)
       : force(edges + 1, Point<Space>::Zero()), couple(edges, Spin<Space>::Zero()) {}
 
-  /// A force at arc length s, shared by the two vertices beside it as a lever would.
+  /// A force at a place, shared by the two vertices beside it as a lever would.
+  void add_force(const Grid&, const Point<Space>& F, const Site& at) {
+    force[at.edge] += (1 - at.part) * F;
+    force[at.edge + 1] += at.part * F;
+  }
   void add_force(const Grid& grid, const Point<Space>& F, double s) {
-    s = grid.on_rod(s);
-    const auto& S = grid.arc_lengths();
-    int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
-    j = std::min(j, grid.edges() - 1);
-    const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));  // 1 at the end, exactly
-    force[j] += (1 - t) * F;
-    force[j + 1] += t * F;
+    add_force(grid, F, Site::on(grid, s));
   }
 
-  /// A couple at arc length s, shared by the two edges whose centres are beside it.
-  void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
-    s = grid.on_rod(s);
-    const int n = grid.edges();
-    if (s == grid.length()) {
+  /// A couple at a place, shared by the two edges whose centres are beside it.
+  void add_couple(const Grid& grid, const Spin<Space>& M, const Site& at) {
+    if (at.is_end(grid)) {
       end_couple += M;
       return;
     }
-    int j = 0;  // first edge whose centre is beyond s
-    while (j < n && grid.centre(j) <= s) ++j;
-    const double left = j == 0 ? 0 : grid.centre(j - 1);
-    const double t = j == n ? 0 : (s - left) / (grid.centre(j) - left);
-    (j > 0 ? couple[j - 1] : start_couple) += (1 - t) * M;
-    if (j < n) couple[j] += t * M;
+    const auto [behind, t] = between_centres(grid, at);
+    (behind > 0 ? couple[behind - 1] : start_couple) += (1 - t) * M;
+    if (behind < grid.edges()) couple[behind] += t * M;
+  }
+  void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
+    add_couple(grid, M, Site::on(grid, s));
   }
 
-  /// A force at arc length s in the components of the frame there: that of the edge; at a vertex
-  /// half in that of either edge; at an end in that of the edge, turned on by the curvature at
-  /// rest.
-  void add_following_force(const Grid& grid, const Point<Space>& F, double s,
+  /// A force at a place in the components of the frame there: that of the edge; at a vertex half in
+  /// that of either edge; at an end in that of the edge, turned on by the curvature at rest.
+  void add_following_force(const Grid& grid, const Point<Space>& F, const Site& at,
                            const EndCurvature<Space>& K0 = {}) {
-    s = grid.on_rod(s);
-    const auto& S = grid.arc_lengths();
-    int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
-    j = std::min(j, grid.edges() - 1);
-    const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));
+    const auto [j, t] = at;
     const auto put = [&](int edge, int vertex, double part,
                          const Spin<Space>& turn = Spin<Space>::Zero()) {
-      if (part > 0)
-        following_forces.push_back({edge, vertex, part * Point<Space>(rotate(exp(turn), F))});
+      following_forces.push_back({edge, vertex, part * Point<Space>(rotate(exp(turn), F))});
     };
     if (t == 0 && j > 0)
       put(j - 1, j, 0.5), put(j, j, 0.5);
@@ -99,6 +117,10 @@ struct Loads {
     else
       put(j, j, 1 - t), put(j, j + 1, t);
   }
+  void add_following_force(const Grid& grid, const Point<Space>& F, double s,
+                           const EndCurvature<Space>& K0 = {}) {
+    add_following_force(grid, F, Site::on(grid, s), K0);
+  }
 
   void add_following_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
     for (int j = 0; j < grid.edges(); ++j)
@@ -107,20 +129,22 @@ struct Loads {
     share_out(grid, f, following_shares);
   }
 
-  /// A couple at arc length s in the components of the frame there, shared like a dead one.
-  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s) {
-    s = grid.on_rod(s);
-    const int n = grid.edges();
-    if (s == grid.length()) {
+  /// A couple at a place in the components of the frame there, shared like a dead one.
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, const Site& at) {
+    if (at.is_end(grid)) {
       following_end_couple += M;
       return;
     }
-    int j = 0;
-    while (j < n - 1 && grid.centre(j) <= s) ++j;
-    const double left = j == 0 ? grid.centre(0) - 1 : grid.centre(j - 1);
-    const double t = std::clamp((s - left) / (grid.centre(j) - left), 0., 1.);
-    if (j > 0 && t < 1) following_couples.push_back({j - 1, (1 - t) * M});
-    following_couples.push_back({j, j > 0 ? Spin<Space>(t * M) : M});
+    const int n = grid.edges();
+    const auto [behind, t] = between_centres(grid, at);
+    if (behind == 0 || behind == n)
+      following_couples.push_back({behind == 0 ? 0 : n - 1, M});
+    else
+      for (const auto& [edge, part] : {std::pair{behind - 1, 1 - t}, std::pair{behind, t}})
+        if (part > 0) following_couples.push_back({edge, part * M});
+  }
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s) {
+    add_following_couple(grid, M, Site::on(grid, s));
   }
 
   void add_following_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
@@ -190,6 +214,18 @@ struct Loads {
   }
 
  private:
+  /// The first edge whose centre is behind the place, and how far on the way to it from the centre
+  /// before (or the start) the place is; behind the last centre: the number of edges, 0.
+  static std::pair<int, double> between_centres(const Grid& grid, const Site& at) {
+    const auto [e, part] = at;
+    if (part < 0.5) {
+      if (e == 0) return {0, 2 * part};
+      return {e, (grid.h(e - 1) / 2 + part * grid.h(e)) / grid.Δs(e)};
+    }
+    if (e == grid.edges() - 1) return {e + 1, 0};
+    return {e + 1, (part - 0.5) * grid.h(e) / grid.Δs(e + 1)};
+  }
+
   static void share_out(const Grid& grid, const std::vector<Point<Space>>& f,
                         std::vector<Point<Space>>& out) {
     out.resize(f.size(), Point<Space>::Zero());
