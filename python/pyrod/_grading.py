@@ -30,7 +30,7 @@ def natural_edges(length: Any, curvature: Any) -> int:
 
 
 def merged(breaks: Sequence[float], at: Array, length: float) -> tuple[float, ...]:
-    """The breaks and more, in order: those within 1e-9 of the length of one, or of an end, are it."""
+    """The breaks and more, in order; within 1e-9 of the length of one, or of an end, it is that."""
     kept = [0.0, *breaks, length]
     for s in at:
         if np.abs(np.subtract(kept, s)).min() > 1e-9 * length:

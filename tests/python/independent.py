@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ from scipy.integrate import solve_ivp
 Array = np.ndarray
 Along = Callable[[float], Array]
 ZERO = np.zeros(3)
+INSIDE = 1e-13  #: of a rod of unit length: on which side of a jump a function is asked
 
 
 @dataclass
@@ -30,10 +32,10 @@ class Problem:
 
     length: float
     compliance: Along  #: (1/EI1, 1/EI2, 1/GJ, 1/GA1, 1/GA2, 1/EA) at s
-    K0: Along = lambda s: ZERO  # noqa: E731
-    force: Along = lambda s: ZERO  # noqa: E731  per length, in space
-    moment: Along = lambda s: ZERO  # noqa: E731
-    following: Along = lambda s: ZERO  # noqa: E731  force per length in the frame
+    K0: Along = lambda s: ZERO
+    force: Along = lambda s: ZERO
+    moment: Along = lambda s: ZERO
+    following: Along = lambda s: ZERO
     points: list[tuple[float, Array, Array]] = field(default_factory=list)
     """(s, force, moment) that act at inner places."""
     springs: list[tuple[float, float, Array]] = field(default_factory=list)
@@ -76,29 +78,22 @@ def jump(p: Problem, s: float, y: Array) -> Array:
     return out
 
 
-def shoot(p: Problem, start: Array, tol: float) -> tuple[list[Array], list[Array], list[Any]]:
-    """States before and behind all ends of pieces, from (n, m) at the start; and the integrals."""
-    ends = pieces(p)
-    y = np.concatenate([ZERO, np.eye(3).ravel(), start])
-    before, behind, dense = [y], [y], []
-    inside = 1e-13 * p.length
-    for a, b in zip(ends, ends[1:]):  # noqa: B905
+def shoot(p: Problem, start: Array, tol: float) -> tuple[Array, list[Any]]:
+    """The state at the end from (n, m) at the start, and the integrals of the pieces."""
+    y, dense = np.concatenate([ZERO, np.eye(3).ravel(), start]), []
+    for a, b in pairwise(pieces(p)):
 
         def at(s: float, y: Array, a: float = a, b: float = b) -> Array:
-            return slope(p, min(max(s, a + inside), b - inside), y)
+            return slope(p, min(max(s, a + INSIDE), b - INSIDE), y)
 
         run = solve_ivp(at, (a, b), y, "DOP853", rtol=tol, atol=tol, dense_output=True)
-        y = run.y[:, -1]
         dense.append(run.sol)
-        before.append(y)
-        if b < p.length:
-            y = y - jump(p, b, y)
-        behind.append(y)
-    return before, behind, dense
+        y = run.y[:, -1] - jump(p, b, run.y[:, -1])
+    return y, dense
 
 
 def residual(p: Problem, start: Array, tol: float) -> Array:
-    y = shoot(p, start, tol)[0][-1]
+    y = shoot(p, start, tol)[0]
     force = y[12:15] - p.end_force if p.pinned is None else y[:3] - p.pinned
     return np.concatenate([force, y[15:18] - p.end_moment])
 
@@ -106,26 +101,21 @@ def residual(p: Problem, start: Array, tol: float) -> Array:
 def shot(p: Problem, start: Array, tol: float = 1e-12) -> tuple[Array, Callable[[float], Array]]:
     """Reaction (n, m) of the start, and the state along the rod, from a start that is near.
 
-    Newton's method with differences; refuses what does not converge.
+    Newton's method with the differences of the start; refuses what does not converge.
     """
     x = np.array(start, dtype=float)
     scale = max(1.0, float(np.abs(x).max()))
+    h = 1e-4 * scale
+    sides = [[residual(p, x + t * e, 1e-10) for t in (h, -h)] for e in np.eye(6)]
+    J = np.column_stack([(a - b) / (2 * h) for a, b in sides])
     for _ in range(12):
-        at = residual(p, x, tol)
-        step = 1e-6 * scale
-        J = np.column_stack(
-            [
-                (residual(p, x + step * e, tol) - residual(p, x - step * e, tol)) / (2 * step)
-                for e in np.eye(6)
-            ]
-        )
-        dx = np.linalg.solve(J, -at)
+        dx = np.linalg.solve(J, -residual(p, x, tol))
         x = x + dx
         if np.abs(dx).max() < 1e-11 * scale:
             break
     else:
         raise RuntimeError(f"shooting does not converge: {dx}")
-    ends, (_, _, dense) = pieces(p), shoot(p, x, tol)
+    ends, (_, dense) = pieces(p), shoot(p, x, tol)
 
     def state(s: float) -> Array:
         i = int(np.clip(np.searchsorted(ends, s, "left") - 1, 0, len(dense) - 1))
@@ -147,10 +137,11 @@ class Elastica:
         """Angle at the start, end less start, and moment at the start; ``angle`` is the end's."""
         ends = np.unique([0.0, *self.breaks, self.length])[::-1]
         y = np.array([angle, 0, 0, 0])
-        for b, a in zip(ends, ends[1:]):  # noqa: B905
-                def slope(s: float, y: Array, a: float = a, b: float = b) -> Array:
+        for b, a in pairwise(ends):
+
+            def slope(s: float, y: Array, a: float = a, b: float = b) -> Array:
                 c, d = np.cos(y[0]), np.sin(y[0])
-                EI = self.EI(min(max(s, a + inside), b - inside))
+                EI = self.EI(min(max(s, a + INSIDE), b - INSIDE))
                 across = self.force[0] * c - self.force[1] * d
                 return np.array([y[3] / EI, d, c, -across])
 
