@@ -46,8 +46,9 @@ def test_a_place_that_was_looked_up_again() -> None:
     scene = Scene(rod, [Clamp(), slide, spring], loads)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        result = pyrod.solve(scene, Options(max_edges=2**15), tol=1e-6, strict=False)
-    assert result.converged or result.status == "not_accurate"
+        result = pyrod.solve(scene, Options(max_edges=2**12), tol=1e-6, strict=False)
+    assert result.status in ("converged", "not_accurate", "stalled")  # an answer, or a refusal
+    assert np.isfinite(result.positions).all()
     check_levels(scene, 10)
 
 
@@ -58,7 +59,7 @@ def test_a_spring_beside_a_load_that_jumps(at: float) -> None:
     load = DistributedForce(lambda s: (0, 0, 0) if s < 0.6 else (5.0, 0, 0))
     result = pyrod.solve(Scene(rod, [Clamp(), Spring(70.0, at=at)], load), tol=1e-6)
     assert result.accuracy.regular
-    held = Scene(rod, [Clamp(), Hinge((0.1, 0, 0.63), at=at)], load)
+    held = Scene(rod, [Clamp(), Hinge((0.1, 0, 0.9 * at), at=at)], load)
     options = Options(max_edges=2**15)
     assert np.isfinite(pyrod.solve(held, options, tol=1e-6, strict=False).tip).all()
 
@@ -94,8 +95,8 @@ def test_point_loads_are_on_one_vertex_of_every_level(n: int | None) -> None:
             assert np.array_equal(on.force[vertex << level], (1, 2, 3))
             beside = np.flatnonzero(on.moment.any(axis=1)).tolist()
             assert beside == [(vertex << level) - 1, vertex << level]
-            if level:  # halves: the edges are equally long
-                assert np.allclose(on.moment[beside], (0, 0.5, 0), rtol=0, atol=1e-12) or n is None
+            assert np.allclose(on.moment[beside].sum(axis=0), (0, 1, 0), rtol=0, atol=1e-15)
+            assert (on.moment[beside, 1] > 0.01).all()
 
 
 def test_loads_without_functions_are_the_same_by_either_way() -> None:
