@@ -123,7 +123,7 @@ py::object reached(const Outcome& o) {
   const auto& r = *o.reached;
   py::dict errors;
   for (int i = 0; i < quantities; ++i) errors[quantity_names[std::size_t(i)]] = r.errors[i];
-  return py::make_tuple(errors, r.order, r.regular, r.levels, r.edges);
+  return py::make_tuple(errors, r.order, r.regular, r.levels, r.edges, std::string(name(r.ended)));
 }
 
 void bind_outcome(py::module_& module) {
@@ -233,7 +233,10 @@ void job(py::module_& module) {
   bind_rod_solution(module);
   bind_outcome(module);
   py::class_<Job>(module, "Job", "A solve that is ready to be run.")
-      .def("run", &run, py::arg("trace"));
+      .def("run", &run, py::arg("trace"))
+      .def_property_readonly(
+          "so_far", [](const Job& job) { return job.so_far(); },
+          "Of a climb that runs: grids, edges of the finest, largest error.");
   module.def("run_all", &run_all, py::arg("jobs"), py::arg("numbers"), py::arg("threads"),
              py::arg("progress"));
 }

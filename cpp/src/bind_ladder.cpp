@@ -4,7 +4,9 @@
 
 #include <pyrod/rod/refinement.hpp>
 
+#include <chrono>
 #include <mutex>
+#include <utility>
 
 namespace pyrod::bind {
 
@@ -32,8 +34,8 @@ class Source {
 /// wait, without the lock of Python.
 class ReadyLadder {
  public:
-  ReadyLadder(std::vector<Rod<Spatial>> rods, Level level)
-      : rods_(std::move(rods)), level_(std::move(level)) {}
+  ReadyLadder(std::vector<Rod<Spatial>> rods, Level level, bool corners)
+      : rods_(std::move(rods)), level_(std::move(level)), corners_(corners) {}
 
   /// Of all rods, on level 0.
   int edges() const {
@@ -49,12 +51,30 @@ class ReadyLadder {
       options.tolerance = step;
       return level_(level, from_below, start, options, more, trace);
     };
-    return Ladder({rods_, solve}, tolerance, options.max_edges).climb();
+    Time began = now(), before = began;
+    const auto has_time = [&](const SoFar& reached) {
+      so_far_ = reached;
+      const Time last = std::exchange(before, now());
+      return 2 * before - last - began <= options.max_time;
+    };
+    so_far_ = {};
+    return Ladder({rods_, solve, has_time, corners_}, tolerance, options.max_edges).climb();
   }
 
+  /// Of the climb that runs; ask in its thread.
+  const SoFar& so_far() const { return so_far_; }
+
  private:
+  using Time = double;  ///< [s]
+  static Time now() {
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<Time>(since).count();
+  }
+
   std::vector<Rod<Spatial>> rods_;
   Level level_;
+  bool corners_;
+  SoFar so_far_;
   std::mutex busy_;
 };
 
@@ -82,7 +102,8 @@ Network<Spatial> halved(Network<Spatial> network, const std::vector<GridLoads>& 
 std::unique_ptr<ReadyLadder> of_cantilever(const Rod<Spatial>& rod, const GridLoads& loads,
                                            const std::optional<py::function>& make,
                                            Dimension dimension, ModelKind model,
-                                           const Array& position, const Array& frame) {
+                                           const Array& position, const Array& frame,
+                                           bool corners) {
   const Clamp clamp{vector3(position, "position"), quaternion(frame, "frame")};
   LoadedLevel loaded;
   if (make)
@@ -98,14 +119,14 @@ std::unique_ptr<ReadyLadder> of_cantilever(const Rod<Spatial>& rod, const GridLo
     return with_model(
         model, [&]<class Model>(Model) { return cantilever_level<Space, Model>(loaded, clamp); });
   });
-  return std::make_unique<ReadyLadder>(std::vector{rod}, level);
+  return std::make_unique<ReadyLadder>(std::vector{rod}, level, corners);
 }
 
 /// `make`: gives the network of a level above 0 and its plane; none: edges are halved.
 std::unique_ptr<ReadyLadder> of_network(const Network<Spatial>& network, const Array& origin,
                                         const Array& frame, const std::vector<GridLoads>& loads,
                                         const std::optional<py::function>& make,
-                                        Dimension dimension) {
+                                        Dimension dimension, bool corners) {
   const Clamp plane{vector3(origin, "origin"), quaternion(frame, "frame")};
   PlacedLevel placed;
   if (make)
@@ -120,9 +141,9 @@ std::unique_ptr<ReadyLadder> of_network(const Network<Spatial>& network, const A
     placed = [network, loads, plane](int level) {
       return PlacedNetwork{halved(network, loads, level), plane};
     };
-  return std::make_unique<ReadyLadder>(network.rods, in_space(dimension, [&]<class Space>(Space) {
-                                         return network_level<Space>(placed);
-                                       }));
+  const auto level =
+      in_space(dimension, [&]<class Space>(Space) { return network_level<Space>(placed); });
+  return std::make_unique<ReadyLadder>(network.rods, level, corners);
 }
 
 Job ladder_job(const py::object& self, const std::optional<py::tuple>& start,
@@ -136,7 +157,11 @@ Job ladder_job(const py::object& self, const std::optional<py::tuple>& start,
     auto climbed = ladder.climb(from, options, more, tolerance, trace);
     return {std::move(climbed.solution), climbed.reached};
   };
-  return {work, {self}};
+  const auto so_far = [&ladder]() -> py::object {
+    const auto& [grids, edges, error] = ladder.so_far();
+    return py::make_tuple(grids, edges, error);
+  };
+  return {work, {self}, so_far};
 }
 
 }  // namespace
@@ -145,9 +170,10 @@ void ladder(py::module_& module) {
   py::class_<ReadyLadder>(module, "Ladder", "A scene on ever finer grids.")
       .def_static("of_cantilever", &of_cantilever, py::arg("rod"), py::arg("loads"),
                   py::arg("make"), py::arg("dimension"), py::arg("model"), py::arg("position"),
-                  py::arg("frame"))
+                  py::arg("frame"), py::arg("corners"))
       .def_static("of_network", &of_network, py::arg("network"), py::arg("origin"),
-                  py::arg("frame"), py::arg("loads"), py::arg("make"), py::arg("dimension"))
+                  py::arg("frame"), py::arg("loads"), py::arg("make"), py::arg("dimension"),
+                  py::arg("corners"))
       .def("job", &ladder_job, py::arg("start"), py::arg("options"), py::arg("stable"),
            py::arg("eigenvalue"), py::arg("tolerance"));
 }

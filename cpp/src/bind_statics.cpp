@@ -95,21 +95,25 @@ std::vector<Vec3> per_edge(const GridLoads& self, const Array& values, const cha
 using L = Loads<Spatial>;
 
 /// A load at a place, on this grid and on finer ones.
-template <class Add>
-void add_at(GridLoads& self, const Add& add, const Vec3& value, double s) {
-  self.add([=](L& loads, const Grid& grid, int) { (loads.*add)(grid, value, s); });
+using AddAt = void (L::*)(const Grid&, const Vec3&, const Site&);
+void add_at(GridLoads& self, AddAt add, const Vec3& value, double s) {
+  self.add([=, at = Site::on(self.places, s)](L& loads, const Grid& grid, int parts) {
+    (loads.*add)(grid, value, at.refined(parts));
+  });
 }
 
 /// A load along the rod, the same all over each edge of this grid.
 template <class Add>
 void add_along(GridLoads& self, const Add& add, std::vector<Vec3> values) {
-  self.add([add, values = std::move(values)](L& loads, const Grid& grid, int parts) {
-    if (parts == 1) return (loads.*add)(grid, values);
-    std::vector<Vec3> repeated;
-    repeated.reserve(values.size() * std::size_t(parts));
-    for (const auto& value : values) repeated.insert(repeated.end(), std::size_t(parts), value);
-    (loads.*add)(grid, repeated);
-  });
+  self.add(
+      [add, values = std::move(values), given = self.parts](L& loads, const Grid& grid, int all) {
+        const int parts = all / given;
+        if (parts == 1) return (loads.*add)(grid, values);
+        std::vector<Vec3> repeated;
+        repeated.reserve(values.size() * std::size_t(parts));
+        for (const auto& value : values) repeated.insert(repeated.end(), std::size_t(parts), value);
+        (loads.*add)(grid, repeated);
+      });
 }
 
 }  // namespace
@@ -122,11 +126,11 @@ void statics(py::module_& module) {
       .value("spatial", Dimension::spatial);
 
   py::class_<GridLoads>(module, "Loads")
-      .def(py::init([](const Rod<Spatial>& rod) {
-             const EndCurvature<Spatial> K0{rod.K0.front(), rod.K0.back()};
-             return GridLoads{rod.grid, K0, Loads<Spatial>(rod.edges()), rod.bending};
+      .def(py::init([](const Rod<Spatial>& rod, const GridLoads* level0) {
+             return level0 ? GridLoads(rod, level0->grid) : GridLoads(rod);
            }),
-           py::arg("rod"))
+           py::arg("rod"), py::arg("level0") = py::none(),
+           "level0: the loads of the coarsest grid, where places are found.")
       .def(
           "add_force",
           [](GridLoads& self, const Array& F, double s) {
@@ -154,18 +158,19 @@ void statics(py::module_& module) {
       .def(
           "add_following_force",
           [](GridLoads& self, const Array& F, double s) {
-            self.add(
-                [value = vector3(F, "force"), s, K0 = self.K0](L& loads, const Grid& grid, int) {
-                  loads.add_following_force(grid, value, s, K0);
-                });
+            self.add([value = vector3(F, "force"), at = Site::on(self.places, s), K0 = self.K0](
+                         L& loads, const Grid& grid, int parts) {
+              loads.add_following_force(grid, value, at.refined(parts), K0);
+            });
           },
           py::arg("force"), py::arg("at"))
       .def(
           "add_following_moment",
           [](GridLoads& self, const Array& M, double s) {
-            self.add([value = vector3(M, "moment"), s, compliance = self.compliance(s)](
-                         L& loads, const Grid& grid, int) {
-              loads.add_following_couple(grid, value, s, compliance);
+            const Site at = Site::on(self.places, s);
+            self.add([value = vector3(M, "moment"), at, compliance = self.compliance(at)](
+                         L& loads, const Grid& grid, int parts) {
+              loads.add_following_couple(grid, value, at.refined(parts), compliance);
             });
           },
           py::arg("moment"), py::arg("at"))

@@ -30,6 +30,15 @@ def natural_edges(length: Any, curvature: Any) -> int:
     return max(COARSEST, 2 * int(np.ceil(turn / TURN / 2)))
 
 
+def merged(breaks: Sequence[float], at: Array, length: float) -> tuple[float, ...]:
+    """The breaks and more, in order; within 1e-9 of the length of one, or of an end, it is that."""
+    kept = [0.0, *breaks, length]
+    for s in at:
+        if np.abs(np.subtract(kept, s)).min() > 1e-9 * length:
+            kept.append(float(s))
+    return tuple(sorted(kept[1 : len(breaks) + 1] + kept[len(breaks) + 2 :]))
+
+
 def graded(length: float, breaks: Sequence[float], edges: int) -> Array:
     """About as many edges, equal between the breaks and at least two there, (n,) lengths."""
     ends = np.concatenate([[0.0], breaks, [length]])

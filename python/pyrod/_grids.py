@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 from pyrod._core import Options
 from pyrod._effects import on_its_grid
 from pyrod._immutable import Array
-from pyrod._jumps import with_jumping_vertices
 from pyrod._path import Path
 from pyrod._reach import Reach
 from pyrod._state import Loss, halved
@@ -21,7 +20,7 @@ from pyrod.scene import Scene
 class Grids:
     """The grids of a scene, each with edges half as long as those of the one before.
 
-    Where a function of arc length jumps inside an edge, that is cut.
+    Where a function of arc length jumps or has a kink inside an edge, that is cut.
     """
 
     def __init__(
@@ -31,9 +30,9 @@ class Grids:
         options: Options,
         start: Equilibrium | ArrayLike | None,
     ) -> None:
-        self._scene = with_jumping_vertices(scene._ladder.scene)
+        self._scene = scene._ladder.scene
         self.first = on_its_grid(self._scene)  #: the scene on its own edges
-        self._start = _frames(start, scene, self.first)
+        self._start = None if start is None else scene._ladder.brought(_frames(start))
         self._more = growing, options
         self._paths: list[Path] = []
 
@@ -85,20 +84,7 @@ def _refuse_different(losses: list[Loss]) -> None:
         )
 
 
-def _frames(start: Equilibrium | ArrayLike | None, given: Scene, grid: Scene) -> Array | None:
-    """The start on edges some of which are parts of those given."""
-    if start is None:
-        return None
+def _frames(start: Equilibrium | ArrayLike) -> Array:
     if isinstance(start, Equilibrium):
-        frames = np.vstack([rod.frames for rod in start.rods])
-    else:
-        frames = as_frames(start, "start")
-    if len(frames) != sum(rod.edges for rod in given.rods):
-        return frames  # refused by the solver, in its words
-    first, parts = 0, []
-    for old, new in zip(given.rods, grid.rods, strict=True):
-        centres = (new.arc_lengths[1:] + new.arc_lengths[:-1]) / 2
-        edge = np.searchsorted(old.arc_lengths[1:-1], centres, "right")
-        parts.append(frames[first + edge])
-        first += old.edges
-    return np.vstack(parts)
+        return np.vstack([rod.frames for rod in start.rods])
+    return as_frames(start, "start")

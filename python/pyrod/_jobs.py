@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from pyrod import _core
 from pyrod._arrays import number_as
 from pyrod._core import Options
 from pyrod._immutable import sealed
+from pyrod._progress import Watch
 from pyrod.accuracy import accuracy_of
 from pyrod.equilibrium import Equilibrium, Reaction, RodEquilibrium
 from pyrod.rotation import as_frames, continued
@@ -43,10 +45,18 @@ class Job:
         self.network = not (self.scene.is_cantilever and how.stable and not how.eigenvalue)
         self.compiled = self._compiled(_start(start, self.scene, self.network))
 
+    def run(self, trace: Callable[..., Any] | None) -> _core.Solution:
+        """What the job finds; a ``trace`` that watches jobs is shown this one."""
+        if isinstance(trace, Watch):
+            trace.job = self.compiled
+        return self.compiled.run(trace)
+
     def _compiled(self, start: tuple[Any, ...] | None) -> _core.Job:
         scene, (options, stable, eigenvalue, tol) = self.scene, self.how
         if tol is not None:
             ladder = scene._ladder.compiled(self.network)
+            if start is not None:
+                start = scene._ladder.brought(start[0]), *start[1:]
             return ladder.job(start, options, stable, eigenvalue, tol)
         space = _core.Dimension.__members__[scene.space]
         if self.network:

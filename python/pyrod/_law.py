@@ -41,6 +41,9 @@ class Law(Protocol):
     @property
     def base(self) -> Array: ...
 
+    @property
+    def corners(self) -> bool: ...
+
     def outlines(self, h: Array) -> tuple[Ends, ...]: ...
 
     def on(self, h: Array) -> Material: ...
@@ -60,6 +63,7 @@ class Made:
     curvature: Curvature
     base: Array
     marks: tuple[float, ...] = ()
+    corners = False
 
     def on(self, h: Array) -> Material:
         bending, stretching, mass, _ = self.stiffness(h)
@@ -150,8 +154,25 @@ class Made:
 
 
 @dataclass(frozen=True, eq=False)
+class Points(Made):
+    """Sections along a polygon, which turns at the vertices of ``base`` alone, on any grid."""
+
+    corners = True
+
+    def _K0(self, h: Array) -> Array:
+        return _at_corners(np.asarray(self.curvature), self.base, h)
+
+    @property
+    def asks(self) -> bool:
+        return super().asks or bool(np.any(self.curvature))
+
+
+@dataclass(frozen=True, eq=False)
 class Table:
-    """The arrays of a discrete rod: compliance and curvature are linear between its vertices."""
+    """The arrays of a discrete rod: compliance and curvature are linear between its vertices.
+
+    ``corners`` : all of its turn is at these, as of a polygon.
+    """
 
     base: Array
     bending: Array
@@ -160,8 +181,12 @@ class Table:
     mass: Array
     shapes: tuple[Ends, ...] = ()
     """Outlines of the edges, linear along each; empty: none are known."""
+    corners: bool = False
     portable = True
-    asks = False
+
+    @property
+    def asks(self) -> bool:
+        return self.corners and bool(self.K0.any())
 
     def on(self, h: Array) -> Material:
         s, base = _arc_lengths(h), _arc_lengths(self.base)
@@ -169,9 +194,14 @@ class Table:
         return Material(
             1 / _interpolated(s, base, 1 / self.bending),
             self.stretching[edge],
-            _interpolated(s, base, self.K0),
+            self._K0(h),
             self.mass[edge],
         )
+
+    def _K0(self, h: Array) -> Array:
+        if self.corners:
+            return _at_corners(self.K0, self.base, h)
+        return _interpolated(_arc_lengths(h), _arc_lengths(self.base), self.K0)
 
     def outlines(self, h: Array) -> tuple[Ends, ...]:
         if not self.shapes:
@@ -205,6 +235,19 @@ def within(ends: Ends, part: float) -> Outline | None:
 
 def _arc_lengths(h: Array) -> Array:
     return np.concatenate([[0.0], np.cumsum(h)])
+
+
+def _at_corners(K0: Array, base: Array, h: Array) -> Array:
+    """Curvature whose turns, those of a polygon with edges ``base``, are all at its vertices."""
+    s, corners = _arc_lengths(h), _arc_lengths(base)
+    at = np.searchsorted((s[1:] + s[:-1]) / 2, corners)  # the nearest
+    out = np.zeros((len(s), 3))
+    out[at] = K0 * (_cells(base) / _cells(h)[at])[:, None]
+    return out
+
+
+def _cells(h: Array) -> Array:
+    return np.convolve(h, [0.5, 0.5])
 
 
 def _edges_at(s: Array, h: Array) -> Array:

@@ -60,8 +60,7 @@ class Network:
             self._add(node)
 
     def _vertex(self, at: Place) -> Point:
-        number, s = on_rod(at, self._scene.rods)
-        return number, int(np.argmin(np.abs(self._scene.rods[number].arc_lengths - s)))
+        return self._scene._vertex(at)
 
     def _nodes(self) -> list[_Node]:
         nodes: list[_Node] = []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from math import isfinite
 from typing import Any
 
 Progress = Callable[[int, int], Any]
@@ -37,17 +38,30 @@ def shown(
 
 
 @contextmanager
-def iterations(progress: bool) -> Iterator[Callable[..., None] | None]:
-    """A function that is told of each iteration of a solve; seen if it takes half a second."""
+def iterations(progress: bool) -> Iterator[Watch | None]:
+    """What is told of each iteration of a solve; seen if it takes half a second."""
     if not progress:
         yield None
         return
     from tqdm import tqdm
 
     with tqdm(unit=" iterations", delay=0.5, leave=False, file=sys.stderr) as bar:
+        yield Watch(bar)
 
-        def show(energy: float, residual: float, *_: float) -> None:
-            bar.set_postfix(residual=f"{residual:.1e}", refresh=False)
-            bar.update()
 
-        yield show
+class Watch:
+    """Shows the iterations of a solve, and how far its climb to a tolerance is."""
+
+    job: Any = None  #: the compiled job that runs
+
+    def __init__(self, bar: Any) -> None:
+        self._bar = bar
+
+    def __call__(self, energy: float, residual: float, *_: float) -> None:
+        shown = {"residual": f"{residual:.1e}"}
+        if self.job is not None and (reached := self.job.so_far) is not None and reached[0]:
+            grids, edges, error = reached
+            shown |= {"grids": f"{grids}", "edges": f"{edges}"}
+            shown["error"] = f"{error:.1e}" if isfinite(error) else "?"
+        self._bar.set_postfix(shown, refresh=False)
+        self._bar.update()

@@ -61,11 +61,13 @@ def solve(
     stable : look for a stable equilibrium, and leave saddles along their unstable modes. Otherwise
         take the equilibrium that Newton's method leads to.
     eigenvalue : find the lowest eigenvalue of the second variation, too.
-    progress : show the iterations on standard error once half a second has passed.
+    progress : show the iterations on standard error once half a second has passed, and of a
+        tolerance the grids, the edges of the finest, and the error reached so far.
 
     Raises
     ------
-    NotConverged : with the last iterate in ``.result``; also where ``tol`` is not reached.
+    NotConverged : with the last iterate in ``.result``; also where ``tol`` is not reached, with
+        the best answer that was, and its errors.
     KeyboardInterrupt : Ctrl-C is looked for once per iteration.
 
     Warns
@@ -97,9 +99,9 @@ def found(
     if model is not None:
         scene, choice = _in_model(scene, model, how.tol)
     job = Job(scene, start, how)
-    solution = job.compiled.run(trace)
+    solution = job.run(trace)
     if (other := job.again(solution)) is not None:
-        job, solution = other, other.compiled.run(trace)
+        job, solution = other, other.run(trace)
     return job.equilibrium(solution, perf_counter() - began, choice)
 
 
@@ -144,19 +146,15 @@ def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], s
     if result.accuracy is not None and result.converged and not result.accuracy.regular:
         message = (
             f"the grids converge with order {result.accuracy.order:.2g} instead of 2, so the "
-            f"results are those of the finest, {result.accuracy.finest_edges} edges: a load, a "
-            "section or the curvature jumps inside an edge; give it a vertex "
-            "(Rod.with_vertices)"
+            f"results are those of the finest, {result.accuracy.finest_edges} edges"
+        )
+        yield AccuracyWarning, f"{message}: {result.scene._ladder.why_irregular}"
+    elif result.accuracy is not None and result.converged and result.scene._ladder.unresolved:
+        message = (
+            f"{result.scene._ladder.why_irregular}: the errors that are told may be too small; "
+            "smooth it, or give the places vertices (Rod.with_vertices)"
         )
         yield AccuracyWarning, message
-    elif result.accuracy is not None and result.converged:
-        jump = result.scene._ladder.hidden_jump
-        if jump is not None:
-            message = (
-                f"{jump}, which the grids may not have seen: the errors that are told may be "
-                "wrong; give that place a vertex (Rod.with_vertices)"
-            )
-            yield AccuracyWarning, message
     for number, rod in enumerate(result.rods):
         of = f" of rod {number}" if len(result.rods) > 1 else ""
         turn, vertex, stretch, edge = rod._source.doubts(rod.rod._rod)

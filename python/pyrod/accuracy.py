@@ -9,6 +9,11 @@ from typing import Any
 from pyrod._immutable import Immutable
 
 TOLD_APART = ("edge_frames", "edge_forces", "strains", "extremes")
+_LIMITS = {
+    "edges": " within max_edges (Options)",
+    "time": " within max_time (Options)",
+    "rounding": " above rounding",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +36,9 @@ class Accuracy(Immutable):
     regular: bool  #: whether it is, so that extrapolation could be trusted
     grids: int  #: on which the scene was solved
     finest_edges: int  #: of all rods together, on the last of them
+    ended: str = "reached"
+    """What ended the climb: "reached": ``tol``; else a limit, "edges" (``Options.max_edges``),
+    "time" (``Options.max_time``), "rounding": finer grids were no better; "interrupted"."""
     neutral: bool = False
     """Whether the errors are those of all but the place along the free motion, which is chance."""
 
@@ -38,6 +46,20 @@ class Accuracy(Immutable):
     def reached(self) -> float:
         """The largest of the errors that ``tol`` is for."""
         return max(value for name, value in self.errors.items() if name not in TOLD_APART)
+
+    @property
+    def shortfall(self) -> str:
+        """Why ``tol`` was not reached, and which errors are larger, in words."""
+        names = sorted(self.errors, key=lambda name: -self.errors[name])
+        judged = [name for name in names if name not in TOLD_APART and self.errors[name] > self.tol]
+        if not isfinite(self.reached):
+            left = "the errors are unknown"
+        else:
+            left = ", ".join(f"{name} {self.errors[name]:.1e}" for name in judged)
+            left = f"the errors left are {left}"
+        limit = _LIMITS.get(self.ended, "")
+        grids = f"on {self.grids} grids of up to {self.finest_edges} edges"
+        return f"tol={self.tol:g} was not reached{limit}; {left}, {grids}"
 
     def __str__(self) -> str:
         reached = f"{self.reached:.1e}" if isfinite(self.reached) else "unknown"
@@ -55,5 +77,4 @@ def accuracy_of(
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
     if not network:
         errors["reactions"] = max(errors["forces"], errors["moments"])
-    order, regular, grids, finest = reached[1:]
-    return Accuracy(tol, errors, order, regular, grids, finest, neutral)
+    return Accuracy(tol, errors, *reached[1:], neutral)

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._along import Curvature, Model, Sections, masses, outlines, stiffness
+from pyrod._along import Curvature, Model, Sections, masses
 from pyrod._arrays import array, finite, rows
 from pyrod._energy import Energy
-from pyrod._grading import graded, natural_edges
+from pyrod._grading import graded, merged, natural_edges
 from pyrod._immutable import Array, Immutable, frozen, vector
-from pyrod._law import NO_JUMPS, Law, Made, Material, Table, kept_outlines
+from pyrod._law import NO_JUMPS, Law, Made, Material, Points, Table, kept_outlines
 from pyrod._places import End
 from pyrod._rest_shape import rest_curvature, ribbon
 from pyrod._sampling import cut, edge_lengths
@@ -93,7 +93,8 @@ class Rod(Immutable):
 
     def _table(self) -> Table:
         shapes = kept_outlines(self._law, self.edge_lengths)
-        return Table(self.edge_lengths, *self._arrays(), shapes)
+        corners = self._law is not None and self._law.corners
+        return Table(self.edge_lengths, *self._arrays(), shapes, corners)
 
     def _compiled(self) -> _core.Rod:
         arrays = self.edge_lengths, self.bending, self.stretching, self.K0
@@ -179,16 +180,18 @@ class Rod(Immutable):
             of quaternions do not matter.
         section, model : see `Rod.straight`.
 
-        The frame at the start continues the curvature of the first vertex over the half edge.
+        The frame at the start continues the curvature of the first vertex over the half edge. The
+        rod *is* the polygon: on finer grids (``tol``) all of its turn stays at these vertices,
+        where its curvature is told as on its own edges.
         """
         shape = ribbon(positions, frames)
         K0, start = rest_curvature(shape)
         h = shape.polyline.edge_lengths
-        bending, stretching, mass, natural = stiffness(section, h)
         placement = (shape.polyline.positions[0], start)
-        made = Material(bending, stretching, K0, mass)
-        law = Table(h, *made[:4], outlines(section, h))
-        return cls(h, bending, stretching, K0, model or natural, placement, mass, law, made)
+        law = Points(section, frozen(K0), h)
+        made = law.on(h)
+        model = model or law.stiffness(h)[3]
+        return cls(h, *made[:3], model, placement, made.mass, law, made)
 
     # Views ---------------------------------------------------------------------------------------
 
@@ -255,17 +258,16 @@ class Rod(Immutable):
 
         Edges are cut where there is none yet; within 1e-9 of an edge's length of a vertex there is.
         What sections and curvature are there, the functions tell that the rod was made of; of
-        arrays compliance and curvature are linear between vertices. Where `solve` chooses the
-        edges, these vertices are kept: give it the places where a load, a section or the curvature
-        jumps.
+        arrays compliance and curvature are linear between vertices; a rod made from points turns at
+        these alone. Where `solve` chooses the edges, these vertices are kept. Jumps and kinks of
+        functions get vertices by themselves where ``tol`` is asked for (docs/accuracy.md).
         """
         at = np.unique(finite(at, "at"))
         law = self._law.marked(at)  # type: ignore[union-attr]
         if self._breaks is not None:
-            inside = (at > 1e-9 * self.length) & (at < (1 - 1e-9) * self.length)
-            breaks = tuple(np.union1d(self._breaks, at[inside]).tolist())
+            breaks = merged(self._breaks, at, self.length)
             if breaks == self._breaks:
-                return self
+                return self if law is self._law else self._on(self.edge_lengths, breaks, law)
             return self._on(graded(self.length, breaks, self.edges), breaks, law)
         h = cut(self.edge_lengths, at)
         if h is not None:

@@ -11,11 +11,11 @@ from pyrod import _core
 from pyrod._immutable import Array, Immutable
 from pyrod._ladder import Ladder
 from pyrod._network import Network
-from pyrod._places import on_rod, with_vertices
+from pyrod._places import Place, on_rod, with_vertices
 from pyrod._rest import Rest, carrier
 from pyrod._savable import Savable
 from pyrod.joints import Joint
-from pyrod.loads import Load, load_places, sampled_load
+from pyrod.loads import Load, load_places, sampled_load, stepwise_load
 from pyrod.rod import Rod
 from pyrod.supports import Clamp, Support
 
@@ -51,6 +51,8 @@ class Scene(Immutable, Savable):
     space: Space
     joints: tuple[Joint, ...]
     _loads: tuple[_core.Loads, ...] = field(init=False, compare=False)
+    _coarsest: Scene | None = field(init=False, compare=False, default=None)
+    """Of a level of a climb, the scene whose edges it has cut."""
 
     def __init__(
         self,
@@ -85,6 +87,29 @@ class Scene(Immutable, Savable):
         )
         if not self.is_cantilever:
             self._network  # noqa: B018  refuses what cannot be joined or held
+
+    def _refined(self, level: int) -> Scene:
+        """The same scene with every edge cut in 2^level, and no choice of edges left.
+
+        Its places are the vertices that they are here, by number: arc lengths are off by rounding.
+        """
+        rods = tuple(rod._refined(level) for rod in self.rods)
+        loads = tuple(stepwise_load(load, self.rods) for load in self.loads)
+        pairs = zip(rods, self._loads, strict=True)
+        compiled = tuple(_core.Loads(rod._rod, coarse) for rod, coarse in pairs)
+        for load in loads:
+            load._apply(compiled, rods)
+        made = object.__new__(type(self))
+        made._set(rods=rods, supports=self.supports, loads=loads, space=self.space)
+        made._set(joints=self.joints, _loads=compiled, _coarsest=self)
+        return made
+
+    def _vertex(self, at: Place) -> tuple[int, int]:
+        """The number of the rod, and of its vertex nearest to a place."""
+        coarse = self._coarsest or self
+        number, s = on_rod(at, coarse.rods)
+        vertex = int(abs(coarse.rods[number].arc_lengths - s).argmin())
+        return number, vertex * (self.rods[number].edges // coarse.rods[number].edges)
 
     @cached_property
     def _network(self) -> Network:
@@ -147,16 +172,16 @@ class Scene(Immutable, Savable):
 
     def _held(self, number: int) -> tuple[Array, Array]:
         support = self.supports[number]
-        i, s = on_rod(support.at, self.rods)
+        i, vertex = self._vertex(support.at)
         rod = self.rods[i]
         position, frame = support.position, support.frame
         if position is not None and frame is not None:
             return position, frame
         by = carrier(i, self.supports, self.rods) if len(self.supports) > 1 else None
-        if by is None and s == 0.0:
+        if by is None and vertex == 0:
             rest = rod.placement
         else:
-            rest = Rest(rod, by).place(int(abs(rod.arc_lengths - s).argmin()))
+            rest = Rest(rod, by).place(vertex)
         return (rest[0] if position is None else position, rest[1] if frame is None else frame)
 
     def __repr__(self) -> str:

@@ -407,7 +407,9 @@ def test_unknown_options_are_refused_with_those_there_are() -> None:
 
 def test_options_as_objects() -> None:
     options = Options(tolerance=1e-6, max_iterations=7)
-    shown = "max_iterations=7, tolerance=1e-06, trust=2.0, near=0.5, max_edges=262144"
+    shown = (
+        "max_iterations=7, tolerance=1e-06, trust=2.0, near=0.5, max_edges=262144, max_time=60.0"
+    )
     assert repr(options) == f"Options({shown})"
     assert eval(repr(options), vars(pyrod)) == options
     assert pickle.loads(pickle.dumps(options)) == options

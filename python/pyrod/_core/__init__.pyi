@@ -186,6 +186,11 @@ class Job:
     """
     def run(self, trace: collections.abc.Callable | None) -> Solution:
         ...
+    @property
+    def so_far(self) -> typing.Any:
+        """
+        Of a climb that runs: grids, edges of the finest, largest error.
+        """
 class Options:
     """
     What may be tuned in a solve; keywords only.
@@ -206,6 +211,11 @@ class Options:
     def max_edges(self) -> int:
         """
         edges of all rods together on the finest grid that a tolerance may lead to
+        """
+    @property
+    def max_time(self) -> float:
+        """
+        seconds that the grids of a tolerance may take: none is begun that would end later, if it took as long as the one before
         """
     @property
     def max_iterations(self) -> int:
@@ -273,8 +283,10 @@ class Dimension:
     def value(self) -> int:
         ...
 class Loads:
-    def __init__(self, rod: Rod) -> None:
-        ...
+    def __init__(self, rod: Rod, level0: Loads | None = None) -> None:
+        """
+        level0: the loads of the coarsest grid, where places are found.
+        """
     def add_distributed_force(self, force_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         ...
     def add_distributed_moment(self, moment_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -322,10 +334,10 @@ class Ladder:
     A scene on ever finer grids.
     """
     @staticmethod
-    def of_cantilever(rod: Rod, loads: Loads, make: collections.abc.Callable | None, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Ladder:
+    def of_cantilever(rod: Rod, loads: Loads, make: collections.abc.Callable | None, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], corners: bool) -> Ladder:
         ...
     @staticmethod
-    def of_network(network: Network, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: collections.abc.Sequence[Loads], make: collections.abc.Callable | None, dimension: Dimension) -> Ladder:
+    def of_network(network: Network, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: collections.abc.Sequence[Loads], make: collections.abc.Callable | None, dimension: Dimension, corners: bool) -> Ladder:
         ...
     def job(self, start: tuple | None, options: Options, stable: bool, eigenvalue: bool, tolerance: typing.SupportsFloat | typing.SupportsIndex) -> Job:
         ...

@@ -12,7 +12,7 @@ from pyrod._document.problems import Here
 from pyrod._document.schema import MOST_EDGES, ROD, Jump
 from pyrod._grading import natural_edges
 from pyrod._immutable import Array, frozen
-from pyrod._law import NO_JUMPS, Jumps, Made, Material, Table
+from pyrod._law import NO_JUMPS, Jumps, Made, Material, Points, Table
 from pyrod.curve import Polyline
 from pyrod.outline import Outline
 from pyrod.rod import Rod
@@ -24,7 +24,7 @@ ARRAYS = ("edge_lengths", "bending", "stretching", "K0")
 _GIVEN = (*ARRAYS, "model", "mass_per_length")
 FORMS = {
     "positions": ({"positions", "section"}, {"frames", "normal", "name", "model", "vertices"}),
-    "bending": ({*ARRAYS, "model"}, {"mass_per_length", "jumps", "outlines", *_PLACE}),
+    "bending": ({*ARRAYS, "model"}, {"mass_per_length", "jumps", "outlines", "corners", *_PLACE}),
     "edge_lengths": ({"edge_lengths", "section"}, {"curvature", *_PLACE}),
     "length": ({"length", "section"}, {"edges", "curvature", *_PLACE}),
 }
@@ -88,7 +88,8 @@ def _curve(values: dict[str, Any], section: Sections) -> Rod:
 def _table(values: dict[str, Any]) -> Rod:
     rod = Rod(**{name: values[name] for name in _GIVEN if name in values})
     jumps = _jumps(values["jumps"], rod) if "jumps" in values else NO_JUMPS
-    law = replace(rod._table(), shapes=_shapes(values.get("outlines", {}), rod.edges))
+    shapes = _shapes(values.get("outlines", {}), rod.edges)
+    law = replace(rod._table(), shapes=shapes, corners=values.get("corners", False))
     return replace(rod, _law=law, _made=Material(*rod._arrays(), jumps))
 
 
@@ -142,7 +143,8 @@ def _on_grid(rod: Rod, grid: Array, breaks: tuple[float, ...] | None) -> Rod:
 def written(rod: Rod, name_of: Any) -> dict[str, Any]:
     """The table of a rod; ``name_of`` names a section."""
     law = rod._law
-    if isinstance(law, Made) and not callable(law.section) and not callable(law.curvature):
+    named = isinstance(law, Made) and not isinstance(law, Points)
+    if named and not callable(law.section) and not callable(law.curvature):
         values, base = _by_law(rod, law, name_of), law.base
     else:
         table = law if isinstance(law, Table) else rod._table()
@@ -202,6 +204,8 @@ def _by_arrays(table: Table, rod: Rod) -> dict[str, Any]:
         pairs = [[{} if x is None else x.to_dict() for x in ends] for ends in table.shapes]
         one = pairs[0][0]
         values["outlines"] = one if all(x == one for pair in pairs for x in pair) else pairs
+    if table.corners:
+        values["corners"] = True
     at, sides = NO_JUMPS if rod._made is None else rod._made.jumps
     if at:
         values["jumps"] = [

@@ -114,6 +114,7 @@ ROD = Kind(
         "mass_per_length": Key(Numbers(u.MASS_PER_LENGTH, ((None,),))),
         "outlines": Key(OneOrEach(OUTLINE)),
         "jumps": Key(Listed(JUMP)),
+        "corners": Key(FLAG),
         "grid": Key(_LENGTHS),
     },
 )

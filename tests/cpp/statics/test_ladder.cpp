@@ -135,8 +135,27 @@ TEST_CASE("what is not reached is told") {
   CHECK(climb.found.solution.status == Status::not_accurate);
   CHECK(reached.levels == 4);
   CHECK(reached.edges == edges << 3);
+  CHECK(reached.ended == Ended::edges);
   CHECK(climb.error() > 1e-9);
   CHECK(climb.true_error() <= climb.error());
+}
+
+TEST_CASE("time ends a climb between grids, and sees what is reached so far") {
+  std::vector<SoFar> seen;
+  const auto solve = [](int level, bool, double) { return pulled(even_series(level)); };
+  const auto has_time = [&](const SoFar& reached) {
+    seen.push_back(reached);
+    return seen.size() < 4;
+  };
+  const auto climbed = Ladder({rods(), solve, has_time}, 1e-13, 1 << 20).climb();
+  CHECK(climbed.solution.status == Status::not_accurate);
+  CHECK(climbed.reached.ended == Ended::time);
+  CHECK(climbed.reached.levels == 4);
+  REQUIRE(seen.size() == 4);
+  CHECK(std::isinf(seen[1].error));
+  CHECK(seen[3].error < seen[2].error);
+  CHECK(seen[3].grids == 4);
+  CHECK(seen[3].edges == edges << 3);
 }
 
 TEST_CASE("three levels are climbed in any case") {

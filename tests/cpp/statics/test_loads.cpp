@@ -64,6 +64,23 @@ TEST_CASE_TEMPLATE("a force on a vertex stays there", Space, EACH_SPACE) {
   }
 }
 
+TEST_CASE("a place is the same on finer grids, by number") {
+  const Grid grid((Vector(4) << 0.3, 0.7, 0.11, 0.89).finished());
+  for (const int parts : {1, 2, 8, 1 << 18}) {
+    for (int j = 0; j <= 4; ++j) {  // off by rounding as sums of many lengths are
+      const double off = (j % 2 ? 1e-11 : -1e-11) * (j > 0 && j < 4);
+      const Site at = Site::on(grid, grid.s(j) + off).refined(parts);
+      CHECK(at.edge == (j < 4 ? j * parts : 4 * parts - 1));
+      CHECK(at.part == (j < 4 ? 0 : 1));
+    }
+    const Site inside = Site::on(grid, 0.3 + 0.7 * 0.625);
+    const Site finer = inside.refined(parts);
+    CHECK((finer.edge + finer.part) / parts == doctest::Approx(1.625).epsilon(1e-12));
+    CHECK(finer.part >= 0);
+    CHECK(finer.part < 1);
+  }
+}
+
 TEST_CASE_TEMPLATE("a couple keeps its sum, and its place between two edges", Space, EACH_SPACE) {
   Random random(2);
   for (const int n : {1, 2, 9}) {

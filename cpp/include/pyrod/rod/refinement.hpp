@@ -13,6 +13,13 @@ inline Grid halved(const Grid& grid) {
   return Grid(h);
 }
 
+/// A level of a climb has the edges of level 0, each cut in 2ᵏ, and `given` numbers for them.
+inline void require_level(Eigen::Index given, Eigen::Index level0, int level,
+                          std::string_view what) {
+  require(given == level0 << level, "level ", level, ": expected ", level0 << level, " ", what,
+          ", got ", given);
+}
+
 /// Compliance and rest curvature are linear between the vertices, stretching stiffness is that of
 /// the edge. Of a rod without jumps.
 template <class Space>

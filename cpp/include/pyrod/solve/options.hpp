@@ -21,6 +21,7 @@ struct Options {
   double trust = 2.0;
   double near = 0.5;
   int max_edges = 1 << 18;
+  double max_time = 60;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -37,6 +38,9 @@ struct Options {
         Field<Options, int>{"max_edges", &Options::max_edges,
                             "edges of all rods together on the finest grid that a tolerance may "
                             "lead to"},
+        Field<Options, double>{"max_time", &Options::max_time,
+                               "seconds that the grids of a tolerance may take: none is begun that "
+                               "would end later, if it took as long as the one before"},
     };
   }
 
@@ -46,6 +50,7 @@ struct Options {
             tolerance);
     require(trust > 0, "trust: must be positive, got ", trust);
     require(max_edges > 0, "max_edges: must be at least 1, got ", max_edges);
+    require(max_time > 0, "max_time: must be positive, got ", max_time);
     require(near >= 0, "near: must not be negative, got ", near);
   }
 };

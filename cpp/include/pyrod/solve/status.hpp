@@ -67,10 +67,7 @@ constexpr std::string_view advice(Status status) {
              "told along it: give it a finite EA, let one of the supports slide, or bring them "
              "nearer";
     case Status::not_accurate:
-      return "the tolerance was not reached within max_edges, or above rounding: the errors that "
-             "were "
-             "reached are told; a load, stiffness or curvature that jumps needs a vertex there "
-             "(Rod.with_vertices)";
+      return "the error that was wanted was not reached; the errors that were are told";
   }
   return "";
 }

@@ -2,6 +2,7 @@
 /// \file A cantilever on the levels of the accuracy ladder.
 #pragma once
 
+#include <pyrod/rod/refinement.hpp>
 #include <pyrod/statics/ladder.hpp>
 #include <pyrod/statics/prolongation.hpp>
 
@@ -32,6 +33,8 @@ class CantileverLevels {
   SceneSolution solve(int level, bool from_below, const Frames& start, const Options& options,
                       const Trace& trace) {
     const auto here = at(level);
+    if (level == 0) edges_ = here->rod().edges();
+    require_level(here->rod().edges(), edges_, level, "edges");
     begin(level, from_below, start);
     auto found = prolonged_.start.empty() ? here->find(options, trace)
                                           : here->find(prolonged_.start, options, trace);
@@ -58,6 +61,7 @@ class CantileverLevels {
   std::shared_ptr<const Scene> at(int level) {
     if (level < int(kept_.size())) return kept_[level];
     const auto [rod, loads] = source_(level);
+    require_count(Eigen::Index(loads.couple.size()), rod.edges(), "loads", "one per edge");
     auto made = std::make_shared<const Scene>(restricted<Space>(rod), Point<Space>::Zero(),
                                               Space::Rotation::Identity(),
                                               restricted<Space>(loads, clamp_.frame));
@@ -81,6 +85,7 @@ class CantileverLevels {
   Clamp clamp_;
   std::vector<std::shared_ptr<const Scene>> kept_;
   Grid grid_ = Grid::uniform(1, 1);  ///< of the last level
+  int edges_ = 0;                    ///< on level 0
   Frames frames_, given_;
   Prolonged<Rotation> prolonged_;
 };

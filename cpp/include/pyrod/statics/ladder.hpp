@@ -9,8 +9,24 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace pyrod {
+
+/// What a climb has reached so far.
+struct SoFar {
+  int grids = 0, edges = 0;                                ///< edges: of the finest grid
+  double error = std::numeric_limits<double>::infinity();  ///< the largest, of the best grids
+};
+
+/// What ended a climb.
+enum class Ended { reached, interrupted, edges, rounding, time };
+
+constexpr std::string_view name(Ended ended) {
+  constexpr std::array<std::string_view, 5> names{"reached", "interrupted", "edges", "rounding",
+                                                  "time"};
+  return names[std::size_t(ended)];
+}
 
 /// What the ladder needs of a scene. On level k every edge is cut in 2ᵏ; the solution of a level is
 /// that seen from level 0, see `seen`.
@@ -18,6 +34,10 @@ struct LadderScene {
   std::span<const Rod<Spatial>> rods;  ///< on level 0
   /// tolerance: the last step [rad] that Newton's method may leave unfollowed.
   std::function<SceneSolution(int level, bool from_below, double tolerance)> solve;
+  std::function<bool(const SoFar&)> has_time = {};  ///< for another grid; none: always
+  /// Rods turn by finite angles in single cells. Where the moment is not along such a turn, its
+  /// cell gives way a little otherwise than its two halves would: errors begin with h.
+  bool corners = false;
 };
 
 struct Reached {
@@ -25,6 +45,7 @@ struct Reached {
   double order = 0;                       ///< of the grids' own errors, as observed
   bool regular = false;                   ///< whether that is two, so that extrapolation holds
   int levels = 0, edges = 0;              ///< solves, and edges of the finest grid
+  Ended ended = Ended::reached;
 };
 
 struct Climbed {
@@ -54,16 +75,16 @@ class Ladder {
     for (int level = 0;; ++level) {
       solution_ = scene_.solve(level, from_below, step_tolerance());
       note_record();
-      if (solution_.status == Status::interrupted) return told(level);
+      if (solution_.status == Status::interrupted) return told(level, Ended::interrupted);
       if (solution_.converged()) {
         add(1 << level);
         judge(level);
-        if (best_.error <= tolerance_) return told(level);
+        if (best_.error <= tolerance_) return told(level, Ended::reached);
       } else {
         forget();
       }
       from_below = solution_.converged();
-      if (exhausted(level)) return told(level);
+      if (const auto ended = exhausted(level)) return told(level, *ended);
     }
   }
 
@@ -141,11 +162,12 @@ class Ladder {
   void judge(int level) {
     if (rungs_.size() < 3) return;
     const auto all = scales();
-    auto found = Extrapolation(numbers_, {rungs_[0].vertex_rows(),
-                                          {all.begin(), all.begin() + vertex_quantities},
-                                          rungs_.back().one_axis,
-                                          noise()})
-                     .result();
+    auto found =
+        Extrapolation(from_second_order(numbers_), {rungs_[0].vertex_rows(),
+                                                    {all.begin(), all.begin() + vertex_quantities},
+                                                    rungs_.back().one_axis,
+                                                    noise()})
+            .result();
     order_ = found.order;
     add_soft_errors(found.errors, all[std::size_t(Quantity::curvatures)]);
     if (found.error() > best_.error) return;
@@ -166,6 +188,14 @@ class Ladder {
       errors[std::size_t(what)] += bend;
   }
 
+  /// Results without what is proportional to h, if there is such.
+  std::vector<Vector> from_second_order(const std::vector<Vector>& results) const {
+    if (!scene_.corners || rungs_.back().one_axis || results.size() < 2) return results;
+    std::vector<Vector> out;
+    for (std::size_t k = 1; k < results.size(); ++k) out.push_back(2 * results[k] - results[k - 1]);
+    return out;
+  }
+
   /// What the rungs up to the best one say of edges.
   Extrapolated judge_edges() const {
     std::vector<Vector> edges;
@@ -177,7 +207,7 @@ class Ladder {
         {all.begin() + vertex_quantities, all.begin() + vertex_quantities + edge_quantities},
         rungs_[best_.rungs - 1].one_axis,
         noise()};
-    Extrapolation extrapolation(edges, judgement);
+    Extrapolation extrapolation(from_second_order(edges), judgement);
     return best_.vertices.regular ? extrapolation.trusted() : extrapolation.result();
   }
 
@@ -218,13 +248,17 @@ class Ladder {
 
   /// At most_edges, or where levels are no better than one before: by rounding, which along a
   /// motion that costs next to nothing is large.
-  bool exhausted(int level) const {
+  std::optional<Ended> exhausted(int level) const {
     const int worse = best_.level < 0 ? 0 : level - best_.level;
     const bool rounding = (worse > 1 && best_.error < 1e-8) || (worse > 3 && best_.error < 1e-4);
-    return level >= 2 && (rounding || edges_ > (most_edges_ >> (level + 1)));
+    if (level >= 2 && rounding) return Ended::rounding;
+    if (level >= 2 && edges_ > (most_edges_ >> (level + 1))) return Ended::edges;
+    if (scene_.has_time && !scene_.has_time({level + 1, edges_ << level, best_.error}))
+      return Ended::time;
+    return std::nullopt;
   }
 
-  Climbed told(int level) {
+  Climbed told(int level, Ended ended) {
     Climbed out;
     out.reached.errors.fill(std::numeric_limits<double>::infinity());
     Rung rung = rungs_.empty() ? Rung(solution_, 1 << level, nullptr) : rungs_.back();
@@ -242,6 +276,7 @@ class Ladder {
     out.reached.order = order_;
     out.reached.levels = level + 1;
     out.reached.edges = edges_ << level;
+    out.reached.ended = ended;
     finish(rung);
     if (solution_.converged() && !(best_.error <= tolerance_))
       solution_.status = Status::not_accurate;

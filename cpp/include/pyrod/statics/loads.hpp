@@ -7,9 +7,40 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pyrod {
+
+/// A place on a rod: a part of an edge, 0 at the vertex before it; the end is 1 of the last edge.
+/// On finer grids it is the same by number: arc lengths are off by rounding.
+struct Site {
+  int edge;
+  double part;
+
+  /// Within 1e-9 of an edge's length of a vertex it is that.
+  static Site on(const Grid& grid, double s) {
+    s = grid.on_rod(s);
+    const auto& S = grid.arc_lengths();
+    const int n = grid.edges();
+    const int j = std::min(int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1, n - 1);
+    const double part = (s - grid.s(j)) / grid.h(j);
+    if (part > 1e-9 && part < 1 - 1e-9) return {j, part};
+    const int vertex = part < 0.5 ? j : j + 1;
+    return vertex == n ? Site{n - 1, 1} : Site{vertex, 0};
+  }
+
+  /// Where every edge is cut in so many.
+  Site refined(int parts) const {
+    const int whole = std::min(int(part * parts), parts - 1);
+    return {edge * parts + whole, part * parts - whole};
+  }
+
+  /// The vertex it is; −1: it is inside an edge.
+  int vertex() const { return part == 0 ? edge : part == 1 ? edge + 1 : -1; }
+
+  bool is_end(const Grid& grid) const { return edge == grid.edges() - 1 && part == 1; }
+};
 
 /// A force that turns with the frame of an edge and acts on a vertex; material components.
 template <class Space>
@@ -59,53 +90,43 @@ struct Loads {
   explicit Loads(int edges)
       : force(edges + 1, Point<Space>::Zero()), couple(edges, Spin<Space>::Zero()) {}
 
-  /// A force at arc length s, shared by the two vertices beside it as a lever would.
-  void add_force(const Grid& grid, const Point<Space>& F, double s) {
+  /// A force at a place, shared by the two vertices beside it as a lever would.
+  void add_force(const Grid& grid, const Point<Space>& F, const Site& at) {
     check_edges(grid.edges());
-    s = grid.on_rod(s);
-    const auto& S = grid.arc_lengths();
-    int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
-    j = std::min(j, grid.edges() - 1);
-    const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));  // 1 at the end, exactly
-    force[j] += (1 - t) * F;
-    force[j + 1] += t * F;
-    note_force(grid, s, t < 0.5 ? j : j + 1);
+    note_force(at);
+    force[at.edge] += (1 - at.part) * F;
+    force[at.edge + 1] += at.part * F;
+  }
+  void add_force(const Grid& grid, const Point<Space>& F, double s) {
+    add_force(grid, F, Site::on(grid, s));
   }
 
-  /// A couple at arc length s, shared by the two edges whose centres are beside it.
-  void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
+  /// A couple at a place, shared by the two edges whose centres are beside it.
+  void add_couple(const Grid& grid, const Spin<Space>& M, const Site& at) {
     check_edges(grid.edges());
-    s = grid.on_rod(s);
-    const int n = grid.edges();
-    if (s == grid.length()) {
+    if (at.is_end(grid)) {
       end_couple += M;
       return;
     }
-    int j = 0;  // first edge whose centre is beyond s
-    while (j < n && grid.centre(j) <= s) ++j;
-    const double left = j == 0 ? 0 : grid.centre(j - 1);
-    const double t = j == n ? 0 : (s - left) / (grid.centre(j) - left);
-    (j > 0 ? couple[j - 1] : start_couple) += (1 - t) * M;
-    if (j < n) couple[j] += t * M;
-    note_couple(grid, (1 - t) * M, t * M, s, j, false);
+    const auto [behind, t] = between_centres(grid, at);
+    (behind > 0 ? couple[behind - 1] : start_couple) += (1 - t) * M;
+    if (behind < grid.edges()) couple[behind] += t * M;
+    note_couple(grid, (1 - t) * M, t * M, at, behind, false);
+  }
+  void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
+    add_couple(grid, M, Site::on(grid, s));
   }
 
-  /// A force at arc length s in the components of the frame there: that of the edge; at a vertex
-  /// half in that of either edge; at an end in that of the edge, turned on by the curvature at
-  /// rest.
-  void add_following_force(const Grid& grid, const Point<Space>& F, double s,
+  /// A force at a place in the components of the frame there: that of the edge; at a vertex half in
+  /// that of either edge; at an end in that of the edge, turned on by the curvature at rest.
+  void add_following_force(const Grid& grid, const Point<Space>& F, const Site& at,
                            const EndCurvature<Space>& K0 = {}) {
     check_edges(grid.edges());
-    s = grid.on_rod(s);
-    const auto& S = grid.arc_lengths();
-    int j = int(std::upper_bound(S.begin(), S.end(), s) - S.begin()) - 1;
-    j = std::min(j, grid.edges() - 1);
-    const double t = (s - grid.s(j)) / (grid.s(j + 1) - grid.s(j));
-    note_force(grid, s, t < 0.5 ? j : j + 1);
+    note_force(at);
+    const auto [j, t] = at;
     const auto put = [&](int edge, int vertex, double part,
                          const Spin<Space>& turn = Spin<Space>::Zero()) {
-      if (part > 0)
-        following_forces.push_back({edge, vertex, part * Point<Space>(rotate(exp(turn), F))});
+      following_forces.push_back({edge, vertex, part * Point<Space>(rotate(exp(turn), F))});
     };
     if (t == 0 && j > 0)
       put(j - 1, j, 0.5), put(j, j, 0.5);
@@ -116,6 +137,10 @@ struct Loads {
     else
       put(j, j, 1 - t), put(j, j + 1, t);
   }
+  void add_following_force(const Grid& grid, const Point<Space>& F, double s,
+                           const EndCurvature<Space>& K0 = {}) {
+    add_following_force(grid, F, Site::on(grid, s), K0);
+  }
 
   void add_following_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
     check_along(grid, f.size(), "force_per_length");
@@ -125,31 +150,34 @@ struct Loads {
     share_out(grid, f, following_shares);
   }
 
-  /// A couple at arc length s in the components of the frame there, shared like a dead one. The
-  /// frames of the edges beside it are turned back by what the couple itself bends their halves,
-  /// `compliance` 1/C: else at a vertex the sum would be off by a part of h C⁻¹ M × M.
-  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s,
+  /// A couple at a place in the components of the frame there, shared like a dead one. The frames of
+  /// the edges beside it are turned back by what the couple itself bends their halves, `compliance`
+  /// 1/C: else at a vertex the sum would be off by a part of h C⁻¹ M × M.
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, const Site& at,
                             const Spin<Space>& compliance = Spin<Space>::Zero()) {
     check_edges(grid.edges());
-    s = grid.on_rod(s);
-    const int n = grid.edges();
-    if (s == grid.length()) {
+    if (at.is_end(grid)) {
       following_end_couple += M;
       return;
     }
-    int j = 0;
-    while (j < n - 1 && grid.centre(j) <= s) ++j;
-    const double left = j == 0 ? grid.centre(0) - 1 : grid.centre(j - 1);
-    const double t = std::clamp((s - left) / (grid.centre(j) - left), 0., 1.);
+    const int n = grid.edges();
+    const auto [j, t] = between_centres(grid, at);
+    if (j == 0 || j == n) {
+      following_couples.push_back({j == 0 ? 0 : n - 1, M});
+      return;
+    }
     const auto part = [&](double of, double length) -> Spin<Space> {
       return of * rotate_spin(exp(Spin<Space>(length * of * compliance.cwiseProduct(M))), M);
     };
-    const bool beside = j > 0 && t < 1;
-    const Spin<Space> before = beside ? part(1 - t, s - left) : Spin<Space>::Zero(),
-                      behind = beside ? part(t, grid.centre(j) - s) : M;
-    if (beside) following_couples.push_back({j - 1, before});
-    following_couples.push_back({j, behind});
-    if (beside) note_couple(grid, before, behind, s, j, true);
+    const double apart = grid.Δs(j);
+    const Spin<Space> before = part(1 - t, t * apart), behind = part(t, (1 - t) * apart);
+    if (t < 1) following_couples.push_back({j - 1, before});
+    if (t > 0) following_couples.push_back({j, behind});
+    note_couple(grid, before, behind, at, j, true);
+  }
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s,
+                            const Spin<Space>& compliance = Spin<Space>::Zero()) {
+    add_following_couple(grid, M, Site::on(grid, s), compliance);
   }
 
   void add_following_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
@@ -278,19 +306,27 @@ struct Loads {
             following_end_couple.transpose());
   }
 
-  static bool is_vertex(const Grid& grid, double s, int j) {
-    return std::abs(s - grid.s(j)) <= 1e-9 * grid.Δs(j);
+  void note_force(const Site& at) {
+    if (const int j = at.vertex(); j >= 0) pushed.push_back(j);
   }
 
-  void note_force(const Grid& grid, double s, int nearest) {
-    if (is_vertex(grid, s, nearest)) pushed.push_back(nearest);
-  }
-
-  /// Keeps a couple at s, shared by the edges j - 1 and j, if the vertex between them is there.
-  void note_couple(const Grid& grid, const Spin<Space>& before, const Spin<Space>& behind, double s,
-                   int j, bool follows) {
-    if (j == 0 || j == grid.edges() || !is_vertex(grid, s, j)) return;
+  /// Keeps a couple, shared by the edges j - 1 and j, if the vertex between them is its place.
+  void note_couple(const Grid& grid, const Spin<Space>& before, const Spin<Space>& behind,
+                   const Site& at, int j, bool follows) {
+    if (j == 0 || j == grid.edges() || at.vertex() != j) return;
     vertex_couples.push_back({j, before, behind, follows});
+  }
+
+  /// The first edge whose centre is behind the place, and how far on the way to it from the centre
+  /// before (or the start) the place is; behind the last centre: the number of edges, 0.
+  static std::pair<int, double> between_centres(const Grid& grid, const Site& at) {
+    const auto [e, part] = at;
+    if (part < 0.5) {
+      if (e == 0) return {0, 2 * part};
+      return {e, (grid.h(e - 1) / 2 + part * grid.h(e)) / grid.Δs(e)};
+    }
+    if (e == grid.edges() - 1) return {e + 1, 0};
+    return {e + 1, (part - 0.5) * grid.h(e) / grid.Δs(e + 1)};
   }
 
   static void share_out(const Grid& grid, const std::vector<Point<Space>>& f,

@@ -2,6 +2,7 @@
 /// \file A network on the levels of the accuracy ladder.
 #pragma once
 
+#include <pyrod/rod/refinement.hpp>
 #include <pyrod/statics/ladder.hpp>
 #include <pyrod/statics/prolongation.hpp>
 
@@ -26,6 +27,7 @@ class NetworkLevels {
                       const Options& options, NetworkOptions more, const Trace& trace) {
     more.rounding = true;
     const auto [network, plane] = source_(level);
+    check(network, level);
     begin(level, from_below, start);
     auto out = scene_solution(run<Space>(network, plane, start_, options, more, trace));
     below_.clear(), grids_.clear();
@@ -40,6 +42,24 @@ class NetworkLevels {
   }
 
  private:
+  /// Refuses a network that is not that of level 0 on finer grids.
+  void check(const Network<Spatial>& network, int level) {
+    if (level == 0) {
+      edges_.clear(), attached_.clear();
+      for (const auto& rod : network.rods) edges_.push_back(rod.edges());
+      for (const auto& a : network.attachments) attached_.push_back(a.vertex);
+    }
+    require_level(Eigen::Index(network.rods.size()), Eigen::Index(edges_.size()), 0, "rods");
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      require_level(network.rods[i].edges(), edges_[i], level, "edges");
+      require_level(Eigen::Index(network.loads[i].couple.size()), edges_[i], level, "loaded edges");
+    }
+    require_level(Eigen::Index(network.attachments.size()), Eigen::Index(attached_.size()), 0,
+                  "attachments");
+    for (std::size_t i = 0; i < attached_.size(); ++i)
+      require_level(network.attachments[i].vertex, attached_[i], level, "for an attached vertex");
+  }
+
   /// The start of this level. One that was given goes along on every level, in case all below fail.
   void begin(int level, bool from_below, const std::optional<NetworkStart>& start) {
     if (level == 0)
@@ -53,6 +73,9 @@ class NetworkLevels {
   /// Frames of all rods on halved edges, one after another.
   std::vector<Quaternion> halved(const std::vector<Quaternion>& frames) const {
     std::vector<Quaternion> out;
+    Eigen::Index edges = 0;
+    for (const auto& grid : grids_) edges += grid.edges();
+    require_count(Eigen::Index(frames.size()), edges, "start", "one frame per edge");
     auto from = frames.begin();
     for (const auto& grid : grids_) {
       const auto more = prolonged(grid, std::vector<Quaternion>(from, from + grid.edges())).start;
@@ -89,6 +112,7 @@ class NetworkLevels {
   std::vector<std::vector<Quaternion>> below_;
   std::vector<Prolonged<Quaternion>> prolonged_;
   std::vector<Grid> grids_;
+  std::vector<int> edges_, attached_;  ///< of rods, and vertices of attachments, on level 0
   std::vector<NodeSolution<Spatial>> nodes_;
   std::optional<NetworkStart> given_, start_;
 };

@@ -76,6 +76,7 @@ struct Prolonged {
 template <class Rotation>
 Prolonged<Rotation> prolonged(const Grid& grid, const std::vector<Rotation>& frames,
                               const Prolonged<Rotation>& last = {}) {
+  require_count(Eigen::Index(frames.size()), grid.edges(), "frames", "one per edge");
   Prolonged<Rotation> out;
   out.start.reserve(2 * frames.size());
   if (grid.edges() < 4) {
