@@ -106,6 +106,19 @@ struct Bow {
 
   static Vec2 soft_direction(const Vec1&) { return Vec2::UnitX(); }
 
+  /// q with the sign that is nearer to the frame before.
+  static Quaternion continued(const Quaternion& before, const Quaternion& q) {
+    return before.dot(q) < 0 ? Quaternion(-q.coeffs()) : q;
+  }
+
+  static Angle continued(Angle before, Angle q) {
+    return {before.radians + principal(before.conjugate() * q).radians};
+  }
+
+  static Vec3 any_across(const Vec3& t) { return t.unitOrthogonal(); }
+
+  static Vec2 any_across(const Vec2& t) { return {t[1], -t[0]}; }
+
   static Quaternion turned_towards(const Quaternion& q, const Vec3& t) { return adapted(q, t); }
 
   static Angle turned_towards(Angle a, const Vec2& t) {

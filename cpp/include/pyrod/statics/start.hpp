@@ -4,6 +4,7 @@
 
 #include <pyrod/statics/bow.hpp>
 #include <pyrod/statics/network_state.hpp>
+#include <pyrod/statics/over_supports.hpp>
 
 namespace pyrod {
 
@@ -13,14 +14,24 @@ class Start {
   using Rotation = typename Space::Rotation;
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  explicit Start(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {}
+  /// `level`: whether rods pass their inner supports on the level, rather than as bows beside
+  /// would have it.
+  explicit Start(const Layout<Space>& layout, bool level = false)
+      : layout_(layout), net_(layout.network()), level_(level) {
+    for (const auto& node : net_.nodes) places_.push_back(node.position);
+  }
+
+  /// Whether a rod goes on over supports, so that starts differ by how it passes them.
+  bool has_choice() const {
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+      if (goes_on(net_.rods[rod], anchors(rod))) return true;
+    return false;
+  }
 
   NetworkState<Space> state() const {
     NetworkState<Space> x;
-    for (const auto& node : net_.nodes) {
-      x.node_frames.push_back(node.frame);
-      x.positions.push_back(node.position);
-    }
+    x.positions = places_;
+    for (const auto& node : net_.nodes) x.node_frames.push_back(node.frame);
     x.forces.assign(layout_.spans().size(), Point<Space>::Zero());
     x.hinge_angles.assign(layout_.hinges(), 0.);
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) add_rod(rod, x);
@@ -45,15 +56,47 @@ class Start {
     return x;
   }
 
-  /// Moves what the supports prescribe in `x` to the fraction λ of the way from `from`, where they
-  /// are at rest, to where they are.
-  void move_supports(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
+  /// The same with the supports of each rod drawn apart until it is nearly straight between them;
+  /// nothing where rods share them.
+  std::optional<Start> drawn_taut() const {
+    Start out = *this;
+    std::vector<char> moved(places_.size(), false);
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+      int before = -1, from = 0;
+      for (const auto& a : layout_.attached(rod)) {
+        if (net_.nodes[a.node].free.cols() == dim) continue;
+        if (moved[a.node]) return std::nullopt;
+        moved[a.node] = true;
+        if (before >= 0) {
+          const auto& grid = net_.rods[rod].grid;
+          const Point<Space> chord = places_[a.node] - places_[before];
+          const double taut = 0.97 * (grid.s(a.vertex) - grid.s(from)), apart = chord.norm();
+          out.places_[a.node] =
+              out.places_[before] + (apart > 0 ? std::max(1., taut / apart) : 1.) * chord;
+        }
+        before = a.node, from = a.vertex;
+      }
+    }
+    return out;
+  }
+
+  /// Moves the points that supports prescribe, and no frames, as below.
+  void move_points(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
+    const double unit = layout_.unit_length();  // the length of the free directions
     for (int v = 0; v < int(net_.nodes.size()); ++v) {
       const auto& node = net_.nodes[v];
-      const double unit = layout_.unit_length();  // the length of the free directions
       const Point<Space> place = (1 - λ) * from.positions[v] + λ * node.position;
       const Point<Space> missing = place - x.positions[v];
       x.positions[v] += missing - node.free * (node.free.transpose() * missing) / (unit * unit);
+    }
+  }
+
+  /// Moves what the supports prescribe in `x` to the fraction λ of the way from `from`, where they
+  /// are at rest, to where they are.
+  void move_supports(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
+    move_points(λ, from, x);
+    for (int v = 0; v < int(net_.nodes.size()); ++v) {
+      const auto& node = net_.nodes[v];
       if (node.turns.cols() == 0)
         x.node_frames[v] = between(
             from.node_frames[v],
@@ -78,7 +121,7 @@ class Start {
       const bool held = node.free.cols() < dim;
       const bool clamped = a.rigid && node.turns.cols() < spin;
       if (held || clamped)
-        out.push_back({a.vertex, node.position, clamped, node.frame * a.relative, a.turns});
+        out.push_back({a.vertex, places_[a.node], clamped, node.frame * a.relative, a.turns});
     }
     if (net_.rods[rod].grid.closed() && !out.empty()) {
       out.push_back(out.front());
@@ -168,11 +211,58 @@ class Start {
   /// at rest goes on.
   void bend(int rod, const std::vector<Anchor>& held, std::vector<Rotation>& frames) const {
     const auto& r = net_.rods[rod];
+    if (goes_on(r, held)) {
+      const Rotation& first =
+          held[0].clamped ? held[0].frame : frames[std::min(held[0].vertex, r.edges() - 1)];
+      const OverSupports<Space> over(r, net_.loads[rod], held, first, up(rod, held, frames), level_);
+      return extend(r, held, over.lay(frames), frames);
+    }
     std::vector<Rotation> at;  // the frame at each held point
     for (std::size_t i = 0; i < held.size(); ++i) at.push_back(frame_at(r, held, frames, i));
-    for (std::size_t i = 1; i < held.size(); ++i)
-      at[i] = bow(r, held[i - 1], held[i], at[i - 1], at[i], rod, frames);
+    for (std::size_t i = 1; i < held.size(); ++i) {
+      Anchor a = held[i - 1], b = held[i];  // where the rod goes on, its frame is one
+      a.clamped = a.clamped || i > 1, b.clamped = b.clamped || i + 1 < held.size();
+      at[i] = bow(r, a, b, at[i - 1], at[i], rod, frames);
+    }
     extend(r, held, at, frames);
+  }
+
+  /// Whether the rod goes on over supports, with no more than a turn at rest from one to the next.
+  static bool goes_on(const Rod<Space>& r, const std::vector<Anchor>& held) {
+    if (held.size() < 2 || r.grid.closed()) return false;
+    const bool hangs_over = (held.front().vertex > 0 && !held.front().clamped) ||
+                            (held.back().vertex < r.edges() && !held.back().clamped);
+    if (held.size() == 2 && !hangs_over) return false;
+    for (std::size_t k = 1; k < held.size(); ++k) {
+      Spin<Space> turn = Spin<Space>::Zero();
+      for (int j = held[k - 1].vertex; j < held[k].vertex; ++j) turn += r.grid.Δs(j) * r.K0[j];
+      if (turn.norm() > 2 * std::numbers::pi || (spin == 1 && held[k].turns != 0)) return false;
+    }
+    return true;
+  }
+
+  /// Where bows go: with the loads, else the way the rod is bent at rest, else the way it is
+  /// softest.
+  Point<Space> up(int rod, const std::vector<Anchor>& held,
+                  const std::vector<Rotation>& frames) const {
+    const auto &r = net_.rods[rod];
+    const auto &loads = net_.loads[rod];
+    Point<Space> sum = Point<Space>::Zero();
+    double size = 0;
+    for (std::size_t k = 1; k < held.size(); ++k) {
+      const Point<Space> t = (held[k].position - held[k - 1].position).normalized();
+      Point<Space> across = Point<Space>::Zero();
+      for (int j = held[k - 1].vertex + 1; j < held[k].vertex; ++j)
+        across += loads.force[j] - loads.force[j].dot(t) * t, size += loads.force[j].norm();
+      sum += sum.dot(across) < 0 ? Point<Space>(-across) : across;
+    }
+    if (sum.norm() > 1e-6 * size) return sum.normalized();
+    const int j = (held.front().vertex + held.back().vertex) / 2;
+    const Rotation& middle = frames[std::min(j, r.edges() - 1)];
+    const Point<Space> t = rotate(middle, axis<Space>());
+    const Point<Space> bent = -Shape::lever(rotate_spin(middle, r.K0[j]), t);
+    if (bent.norm() * r.grid.length() > 1e-6) return bent.normalized();
+    return rotate(middle, Shape::soft_direction(r.bending[j]));
   }
 
   /// A held frame, or for a point held by its position the frame at rest turned towards its
@@ -213,7 +303,7 @@ class Start {
           a.clamped || b.clamped ? std::numbers::pi / 2 * std::sin(std::numbers::pi * x) : 1;
       frames[j] = exp(Spin<Space>(θ * about)) * exp(Spin<Space>(τ * tilt)) * base[j - a.vertex];
     }
-    return to;
+    return Shape::continued(frames[b.vertex - 1], to);
   }
 
   /// The axis of the bow: so that it goes with the loads, else the way the rod is bent at rest,
@@ -253,6 +343,8 @@ class Start {
 
   const Layout<Space>& layout_;
   const Network<Space>& net_;
+  bool level_;
+  std::vector<Point<Space>> places_;  ///< of the nodes, where they are held
 };
 
 }  // namespace pyrod
