@@ -158,14 +158,18 @@ def _portal(rng: np.random.Generator, space: str) -> tuple[str, Scene, float | N
         ends[i, k].append((len(rods), "start"))
         ends[i + 1, k].append((len(rods), "end"))
         rods.append(Rod.straight(1.0, n, section).placed((i, 0, k), tangent=(1, 0, 0), normal=-Z))
-    held = [(Clamp if rng.random() < 0.7 or i == 0 else Hinge)(at=ends[i, 0][0])
-            for i in range(bays + 1)]
+    held = [
+        (Clamp if rng.random() < 0.7 or i == 0 else Hinge)(at=ends[i, 0][0])
+        for i in range(bays + 1)
+    ]
     kind = rng.choice(["rigid", "rigid", "ball"]) if storeys == 1 and bays == 1 else "rigid"
     joints = [Joint(tuple(p), kind) for (_, k), p in ends.items() if k > 0]
     size = 10 ** rng.uniform(-1, 1.2) / storeys
     side = rng.normal(size=3) * (1, space == "spatial", 0.2)
-    loads = [Force(size * side, at=(bays, "end")) if kind == "rigid" else Force(size * side, at=(0, "end")),
-             Force((0, 0, -size), at=(len(rods) - 1, 0.5))]
+    loads = [
+        Force(size * side, at=(0, "end")),
+        Force((0, 0, -size), at=(len(rods) - 1, 0.5)),
+    ]
     return f"portal {bays}x{storeys}, {space}, n={n}", Scene(rods, held, loads, space, joints), None
 
 
@@ -201,10 +205,21 @@ def _tree(rng: np.random.Generator, space: str) -> tuple[str, Scene, float | Non
             r = r - rng.uniform(0.05, 0.6) * t + aside
             held.append(Hinge(r * min(1, 0.95 * depth[i] / np.linalg.norm(r)), at=(i, "end")))
         elif fate < 0.6:
-            loads.append(Force(10 ** rng.uniform(-1, 1) * rng.normal(size=3) * (1, not planar, 1),
-                               at=(i, "end")))
-    kinds = [Joint(tuple(p), rng.choice(["rigid", "rigid", "ball"]) if len(p) == 2 and any(
-        s.at == (p[1][0], "end") for s in held[1:]) else "rigid") for p in groups.values()]
+            loads.append(
+                Force(
+                    10 ** rng.uniform(-1, 1) * rng.normal(size=3) * (1, not planar, 1),
+                    at=(i, "end"),
+                )
+            )
+    kinds = [
+        Joint(
+            tuple(p),
+            rng.choice(["rigid", "rigid", "ball"])
+            if len(p) == 2 and any(s.at == (p[1][0], "end") for s in held[1:])
+            else "rigid",
+        )
+        for p in groups.values()
+    ]
     if rng.random() < 0.5:
         loads.append(DistributedForce((0, 0, -(10 ** rng.uniform(-1, 1)))))
     return f"tree of {len(rods)}, {space}, n={n}", Scene(rods, held, loads, space, kinds), None

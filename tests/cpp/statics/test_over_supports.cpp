@@ -95,8 +95,8 @@ TEST_CASE_TEMPLATE("on the level, directions at the supports are those between t
   const auto s = over_hinges<Space>(4, 0.2);
   const auto x = start(s.net, true);
   for (int k = 1; k < 4; ++k) {
-    const Point<Space> t = rotate(x.frames[n * k - 1], axis<Space>()) +
-                           rotate(x.frames[n * k], axis<Space>());
+    const Point<Space> t =
+        rotate(x.frames[n * k - 1], axis<Space>()) + rotate(x.frames[n * k], axis<Space>());
     CHECK(distance(t.normalized(), axis<Space>()) < 0.05);
   }
 }

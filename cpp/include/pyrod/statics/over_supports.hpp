@@ -19,6 +19,43 @@ class OverSupports {
   using Shape = Bow<Space>;
   using Anchor = typename Shape::Anchor;
 
+  /// Whether the rod goes on over supports, with no more than a turn at rest from one to the next.
+  static bool goes_on(const Rod<Space>& r, const std::vector<Anchor>& held) {
+    if (held.size() < 2 || r.grid.closed()) return false;
+    const bool hangs_over = (held.front().vertex > 0 && !held.front().clamped) ||
+                            (held.back().vertex < r.edges() && !held.back().clamped);
+    if (held.size() == 2 && !hangs_over) return false;
+    for (std::size_t k = 1; k < held.size(); ++k) {
+      Spin<Space> turn = Spin<Space>::Zero();
+      for (int j = held[k - 1].vertex; j < held[k].vertex; ++j) turn += r.grid.Δs(j) * r.K0[j];
+      if (turn.norm() > 2 * std::numbers::pi || (Space::spin == 1 && held[k].turns != 0))
+        return false;
+    }
+    return true;
+  }
+
+  /// Where bows go: with the loads, else the way the rod is bent at rest, else the way it is
+  /// softest.
+  static Point<Space> up(const Rod<Space>& r, const Loads<Space>& loads,
+                         const std::vector<Anchor>& held, const std::vector<Rotation>& frames) {
+    Point<Space> sum = Point<Space>::Zero();
+    double size = 0;
+    for (std::size_t k = 1; k < held.size(); ++k) {
+      const Point<Space> t = (held[k].position - held[k - 1].position).normalized();
+      Point<Space> across = Point<Space>::Zero();
+      for (int j = held[k - 1].vertex + 1; j < held[k].vertex; ++j)
+        across += loads.force[j] - loads.force[j].dot(t) * t, size += loads.force[j].norm();
+      sum += sum.dot(across) < 0 ? Point<Space>(-across) : across;
+    }
+    if (sum.norm() > 1e-6 * size) return sum.normalized();
+    const int j = (held.front().vertex + held.back().vertex) / 2;
+    const Rotation& middle = frames[std::min(j, r.edges() - 1)];
+    const Point<Space> t = rotate(middle, axis<Space>());
+    const Point<Space> bent = -Shape::lever(rotate_spin(middle, r.K0[j]), t);
+    if (bent.norm() * r.grid.length() > 1e-6) return bent.normalized();
+    return rotate(middle, Shape::soft_direction(r.bending[j]));
+  }
+
   /// `first`: the frame at the first held point, but for its direction where that is free. `up`:
   /// where bows go, a direction. `level`: whether supports are passed on the level only.
   OverSupports(const Rod<Space>& rod, const Loads<Space>& loads, const std::vector<Anchor>& held,
@@ -124,8 +161,8 @@ class OverSupports {
         ψ[k] = before + there;
         if (!held_[k].clamped) continue;
         const double held = twist_angle(at[k].conjugate() * held_[k].frame);
-        const double missing = std::remainder(held - ψ[k], 2 * std::numbers::pi) +
-                               2 * std::numbers::pi * turns;
+        const double missing =
+            std::remainder(held - ψ[k], 2 * std::numbers::pi) + 2 * std::numbers::pi * turns;
         spread(missing, last, k, ψ);
         last = k, turns = 0;
       }

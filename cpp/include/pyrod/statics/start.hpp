@@ -24,7 +24,7 @@ class Start {
   /// Whether a rod goes on over supports, so that starts differ by how it passes them.
   bool has_choice() const {
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
-      if (goes_on(net_.rods[rod], anchors(rod))) return true;
+      if (Over::goes_on(net_.rods[rod], anchors(rod))) return true;
     return false;
   }
 
@@ -112,6 +112,7 @@ class Start {
 
  private:
   using Shape = Bow<Space>;
+  using Over = OverSupports<Space>;
   using Anchor = typename Shape::Anchor;
 
   std::vector<Anchor> anchors(int rod) const {
@@ -134,11 +135,11 @@ class Start {
     const auto& place = net_.placements[rod];
     auto rest = net_.rods[rod].at_rest(place.position, place.frame);
     const auto held = anchors(rod);
-    if (held.size() == 1 && held[0].clamped) rest = carried(net_.rods[rod], rest, held[0]);
+    if (held.size() == 1 && held[0].clamped) rest = Shape::carried(net_.rods[rod], rest, held[0]);
     std::vector<Rotation> frames = rest.frames;
     if (const auto ends = ring_ends(rod, rest); !ends.empty())
       bend(rod, ends, frames);
-    else if (fits(net_.rods[rod], rest, held))
+    else if (Shape::fits(net_.rods[rod], rest, held))
       twist(rod, frames);
     else
       bend(rod, held, frames);
@@ -166,29 +167,6 @@ class Start {
             {net_.rods[rod].edges(), rest.positions[0], true, node * on[1].relative, on[1].turns}};
   }
 
-  /// The shape at rest, moved as a whole to where it is clamped.
-  static CosseratCurve<Space> carried(const Rod<Space>& rod, const CosseratCurve<Space>& rest,
-                                      const Anchor& a) {
-    const Rotation there = vertex_frame(rod.grid, rest, a.vertex);
-    const Rotation move = a.frame * there.conjugate();
-    const Rotation start = move * rest.start_frame;
-    const Point<Space> r0 =
-        a.position + rotate(move, Point<Space>(rest.positions[0] - rest.positions[a.vertex]));
-    return rod.at_rest(r0, start);
-  }
-
-  static bool fits(const Rod<Space>& rod, const CosseratCurve<Space>& rest,
-                   const std::vector<Anchor>& held) {
-    for (const auto& a : held) {
-      const int j = std::min(a.vertex, int(rest.positions.size()) - 1);
-      if ((rest.positions[j] - a.position).norm() > 1e-9 * rod.grid.length() && held.size() > 1)
-        return false;
-      const Rotation W = vertex_frame(rod.grid, rest, a.vertex).conjugate() * a.frame;
-      if (a.clamped && log(principal(W)).norm() > 1e-9) return false;
-    }
-    return true;
-  }
-
   /// Full turns that are put into the shape at rest, evenly from each attachment to the next.
   void twist(int rod, std::vector<Rotation>& frames) const {
     if constexpr (spin == 3) {
@@ -211,10 +189,11 @@ class Start {
   /// at rest goes on.
   void bend(int rod, const std::vector<Anchor>& held, std::vector<Rotation>& frames) const {
     const auto& r = net_.rods[rod];
-    if (goes_on(r, held)) {
+    if (Over::goes_on(r, held)) {
       const Rotation& first =
           held[0].clamped ? held[0].frame : frames[std::min(held[0].vertex, r.edges() - 1)];
-      const OverSupports<Space> over(r, net_.loads[rod], held, first, up(rod, held, frames), level_);
+      const Point<Space> up = Over::up(r, net_.loads[rod], held, frames);
+      const Over over(r, net_.loads[rod], held, first, up, level_);
       return extend(r, held, over.lay(frames), frames);
     }
     std::vector<Rotation> at;  // the frame at each held point
@@ -225,44 +204,6 @@ class Start {
       at[i] = bow(r, a, b, at[i - 1], at[i], rod, frames);
     }
     extend(r, held, at, frames);
-  }
-
-  /// Whether the rod goes on over supports, with no more than a turn at rest from one to the next.
-  static bool goes_on(const Rod<Space>& r, const std::vector<Anchor>& held) {
-    if (held.size() < 2 || r.grid.closed()) return false;
-    const bool hangs_over = (held.front().vertex > 0 && !held.front().clamped) ||
-                            (held.back().vertex < r.edges() && !held.back().clamped);
-    if (held.size() == 2 && !hangs_over) return false;
-    for (std::size_t k = 1; k < held.size(); ++k) {
-      Spin<Space> turn = Spin<Space>::Zero();
-      for (int j = held[k - 1].vertex; j < held[k].vertex; ++j) turn += r.grid.Δs(j) * r.K0[j];
-      if (turn.norm() > 2 * std::numbers::pi || (spin == 1 && held[k].turns != 0)) return false;
-    }
-    return true;
-  }
-
-  /// Where bows go: with the loads, else the way the rod is bent at rest, else the way it is
-  /// softest.
-  Point<Space> up(int rod, const std::vector<Anchor>& held,
-                  const std::vector<Rotation>& frames) const {
-    const auto &r = net_.rods[rod];
-    const auto &loads = net_.loads[rod];
-    Point<Space> sum = Point<Space>::Zero();
-    double size = 0;
-    for (std::size_t k = 1; k < held.size(); ++k) {
-      const Point<Space> t = (held[k].position - held[k - 1].position).normalized();
-      Point<Space> across = Point<Space>::Zero();
-      for (int j = held[k - 1].vertex + 1; j < held[k].vertex; ++j)
-        across += loads.force[j] - loads.force[j].dot(t) * t, size += loads.force[j].norm();
-      sum += sum.dot(across) < 0 ? Point<Space>(-across) : across;
-    }
-    if (sum.norm() > 1e-6 * size) return sum.normalized();
-    const int j = (held.front().vertex + held.back().vertex) / 2;
-    const Rotation& middle = frames[std::min(j, r.edges() - 1)];
-    const Point<Space> t = rotate(middle, axis<Space>());
-    const Point<Space> bent = -Shape::lever(rotate_spin(middle, r.K0[j]), t);
-    if (bent.norm() * r.grid.length() > 1e-6) return bent.normalized();
-    return rotate(middle, Shape::soft_direction(r.bending[j]));
   }
 
   /// A held frame, or for a point held by its position the frame at rest turned towards its
