@@ -277,7 +277,7 @@ def over_hinges(slack: float, inner: int, section: Section) -> Hard:
         return Scene(Rod.straight(1.0, n, section), held, [], space(section))
 
     return Hard(
-        f"over {inner} hinges, slack {100 * slack:g} %, {space(section)}",
+        f"over {inner} inner hinge{'s' * (inner > 1)}, slack {100 * slack:g} %, {space(section)}",
         scene,
         32 * (inner + 1),
         energy(waves_energy(slack, inner + 1)),

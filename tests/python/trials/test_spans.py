@@ -38,8 +38,9 @@ def test_two_spans_mirror_each_other(space: str, d: float) -> None:
     half = solve(Scene(Rod.straight(0.5, 32, ROUND), [Clamp(), end], [], space))
     assert whole.energy == pytest.approx(2 * half.energy, rel=1e-9)
     assert np.abs(whole.moment[32]).max() < 1e-7 * np.abs(whole.moment).max()
-    turned = np.array([-1.0, -1.0, 1.0]) * (whole.positions - (0, 0, d / 2))
-    np.testing.assert_allclose(turned, (turned * (-1, -1, -1))[::-1] * (-1, -1, 1), atol=1e-7)
+    if space == "planar":
+        aside = whole.positions - (0, 0, d / 2)
+        np.testing.assert_allclose(aside, -aside[::-1], atol=1e-7)
 
 
 def _over_hinges(spans: int, slack: float, load: float, space: str) -> Scene:
