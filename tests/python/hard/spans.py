@@ -23,7 +23,7 @@ from hard.case import (
     planar_frames,
     reference,
 )
-from pyrod import Clamp, DistributedForce, Force, Rod, Scene, Section
+from pyrod import Clamp, DistributedForce, Force, Hinge, Rod, Scene, Section
 from pyrod.rotation import exp
 
 ROUND = Section(EI1=1.0, EI2=1.0, GJ=1.0)
@@ -259,4 +259,37 @@ ARCHES = [
         also=is_inverted,
     ),
 ]
-SPANS = [*SHORTENED, *TWISTED, *CHAINS, *ARCHES]
+# Over several supports ----------------------------------------------------------------------------
+
+
+def waves_energy(slack: float, spans: int) -> float:
+    """Of hinged spans of a rod of length 1 whose bows alternate, half a wave each; EI = 1."""
+    m = brentq(lambda m: 2 - 2 * ellipe(m) / ellipk(m) - slack, 1e-12, 1 - 1e-12, xtol=1e-15)
+    return spans**2 * 2 * (2 * ellipk(m)) ** 2 * (ellipe(m) / ellipk(m) - 1 + m)
+
+
+def over_hinges(slack: float, inner: int, section: Section) -> Hard:
+    """All spans alike, hinged at both ends, too: no moment passes a hinge."""
+
+    def scene(n: int) -> Scene:
+        at = np.linspace(0, 1, inner + 2)
+        held = [Hinge((0, 0, (1 - slack) * s), at=float(s)) for s in at]
+        return Scene(Rod.straight(1.0, n, section), held, [], space(section))
+
+    return Hard(
+        f"over {inner} inner hinge{'s' * (inner > 1)}, slack {100 * slack:g} %, {space(section)}",
+        scene,
+        32 * (inner + 1),
+        energy(waves_energy(slack, inner + 1)),
+        "closed form",
+        unit=4.0 if section is STRIP else 1.0,
+    )
+
+
+WAVES = [
+    over_hinges(slack, inner, section)
+    for section in (STRIP, ROUND)
+    for slack, inner in ((0.2, 1), (0.6, 1), (0.2, 5))
+]
+
+SPANS = [*SHORTENED, *TWISTED, *CHAINS, *ARCHES, *WAVES]

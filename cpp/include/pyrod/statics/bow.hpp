@@ -76,6 +76,29 @@ struct Bow {
     return rest;
   }
 
+  /// The shape at rest, moved as a whole to where it is clamped.
+  static CosseratCurve<Space> carried(const Rod<Space>& rod, const CosseratCurve<Space>& rest,
+                                      const Anchor& a) {
+    const Rotation there = vertex_frame(rod.grid, rest, a.vertex);
+    const Rotation move = a.frame * there.conjugate();
+    const Rotation start = move * rest.start_frame;
+    const Point<Space> r0 =
+        a.position + rotate(move, Point<Space>(rest.positions[0] - rest.positions[a.vertex]));
+    return rod.at_rest(r0, start);
+  }
+
+  static bool fits(const Rod<Space>& rod, const CosseratCurve<Space>& rest,
+                   const std::vector<Anchor>& held) {
+    for (const auto& a : held) {
+      const int j = std::min(a.vertex, int(rest.positions.size()) - 1);
+      if ((rest.positions[j] - a.position).norm() > 1e-9 * rod.grid.length() && held.size() > 1)
+        return false;
+      const Rotation W = vertex_frame(rod.grid, rest, a.vertex).conjugate() * a.frame;
+      if (a.clamped && log(principal(W)).norm() > 1e-9) return false;
+    }
+    return true;
+  }
+
   static Quaternion twisted(const Quaternion& q, double ψ) { return moved(q, Vec3(0, 0, ψ)); }
 
   static Angle twisted(Angle a, double ψ) { return {a.radians + ψ}; }
@@ -105,6 +128,19 @@ struct Bow {
   static Vec3 soft_direction(const Vec3& C) { return C[1] <= C[0] ? Vec3::UnitX() : Vec3::UnitY(); }
 
   static Vec2 soft_direction(const Vec1&) { return Vec2::UnitX(); }
+
+  /// q with the sign that is nearer to the frame before.
+  static Quaternion continued(const Quaternion& before, const Quaternion& q) {
+    return before.dot(q) < 0 ? Quaternion(-q.coeffs()) : q;
+  }
+
+  static Angle continued(Angle before, Angle q) {
+    return {before.radians + principal(before.conjugate() * q).radians};
+  }
+
+  static Vec3 any_across(const Vec3& t) { return t.unitOrthogonal(); }
+
+  static Vec2 any_across(const Vec2& t) { return {t[1], -t[0]}; }
 
   static Quaternion turned_towards(const Quaternion& q, const Vec3& t) { return adapted(q, t); }
 

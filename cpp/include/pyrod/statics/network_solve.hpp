@@ -26,7 +26,7 @@ struct NetworkResult {
   NetworkState<Space> state;
   Status status = Status::out_of_iterations;
   int index = -1;
-  double residual = 0, fill = 1;
+  double residual = 0, fill = 1, energy = 0;
   int unknowns = 0, multipliers = 0;
   int load_steps = 0;  ///< 0: all loads at once
   int descents = 0;    ///< saddles that the search left along their unstable modes
@@ -67,7 +67,7 @@ class NetworkSolver {
       coarser.push_back(std::make_unique<Layout<Space>>(coarsened(network_, edges)));
     const Layout<Space>& first = coarser.empty() ? *fine_ : *coarser.front();
     const NetworkState<Space> start = std::move(out_.state);
-    at_level(first, coarser.empty() ? start : Start<Space>(first).state(), Curvature::convex, true);
+    at_first(first, coarser.empty() ? start : Start<Space>(first).state());
     for (std::size_t i = 0; i < coarser.size() && converged(); ++i) {
       const Layout<Space>& to = i + 1 < coarser.size() ? *coarser[i + 1] : *fine_;
       at_level(to, refined(*coarser[i], out_.state, to), Curvature::exact, false);
@@ -108,6 +108,29 @@ class NetworkSolver {
          n *= refinement)
       out.push_back(n);
     return out;
+  }
+
+  /// On the coarsest grid. Where a rod may pass its supports in several ways, and the likeliest
+  /// leads to no stable shape, another is tried before all that comes last.
+  void at_first(const Layout<Space>& layout, const NetworkState<Space>& start) {
+    const bool choice = Start<Space>(layout).has_choice();
+    at_level(layout, start, Curvature::convex, !choice);
+    if (!choice || settled()) return;
+    NetworkResult<Space> before = out_;
+    at_level(layout, Start<Space>(layout, true).state(), Curvature::convex, false);
+    if (settled()) return;
+    if (before.status == Status::converged && (!converged() || before.index <= out_.index)) {
+      before.record = std::move(out_.record);
+      out_ = std::move(before);
+    }
+    if (!converged() && out_.status != Status::interrupted)
+      at_level(layout, start, Curvature::convex, true);
+  }
+
+  /// Whether there is nothing better to look for.
+  bool settled() const {
+    return out_.status == Status::interrupted ||
+           (converged() && (out_.index <= 0 || !more_.stable));
   }
 
   /// Solves on one grid; the result and its record go to `out_`.
@@ -192,11 +215,13 @@ class NetworkSolver {
     out_.status = result.status;
     out_.index = result.index;
     out_.residual = result.residual;
+    out_.energy = result.energy;
     out_.state = std::move(result.state);
   }
 
-  /// The last resort: first the supports alone, then the loads in steps; and if that fails, from
-  /// the shapes at rest with loads and motions of the supports brought on together.
+  /// The last resort: first the supports alone, then the loads in steps; if that fails, the
+  /// supports are led in from where rods are nearly straight; and if that fails, from the shapes at
+  /// rest with loads and motions of the supports brought on together.
   void bring_on_loads(Problem& problem, SaddleNewton<Problem>& newton,
                       const NetworkState<Space>& start) {
     const auto steps = [&](auto&& set, const NetworkState<Space>& from) {
@@ -208,6 +233,16 @@ class NetworkSolver {
     steps([&](double part, NetworkState<Space>&) { problem.load(part); }, start);
     if (converged() || out_.status == Status::interrupted) return;
     const Start<Space> shapes(problem.layout());
+    if (const auto taut = shapes.has_choice() ? shapes.drawn_taut() : std::nullopt) {
+      const NetworkState<Space> straight = taut->state();
+      steps(
+          [&](double part, NetworkState<Space>& x) {
+            problem.load(part);
+            shapes.move_points(part, straight, x);
+          },
+          straight);
+      if (converged() || out_.status == Status::interrupted) return;
+    }
     const NetworkState<Space> rest = shapes.at_rest();
     steps(
         [&](double part, NetworkState<Space>& x) {
@@ -223,6 +258,7 @@ class NetworkSolver {
     const auto mode = newton.lowest_mode();
     if (!(mode.eigenvalue < 0)) return false;
     const int before = out_.index;
+    const double energy = out_.energy;
     Options careful = options_;  // short steps, so as to find the nearest minimum
     careful.trust = std::min(options_.trust, 0.5);
     newton.set(careful);
@@ -230,7 +266,8 @@ class NetworkSolver {
       NetworkState<Space> away;
       problem.move(out_.state, step * mode.shape, away);
       auto result = newton.solve(std::move(away), Curvature::exact);
-      if (result.converged() && result.index < before) {
+      if (result.converged() &&
+          (result.index < before || result.energy < energy - 1e-6 * problem.unit_energy())) {
         ++out_.descents;
         keep(std::move(result));
         newton.set(options_);

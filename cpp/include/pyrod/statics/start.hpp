@@ -4,6 +4,7 @@
 
 #include <pyrod/statics/bow.hpp>
 #include <pyrod/statics/network_state.hpp>
+#include <pyrod/statics/over_supports.hpp>
 
 namespace pyrod {
 
@@ -13,14 +14,24 @@ class Start {
   using Rotation = typename Space::Rotation;
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  explicit Start(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {}
+  /// `level`: whether rods pass their inner supports on the level, rather than as bows beside
+  /// would have it.
+  explicit Start(const Layout<Space>& layout, bool level = false)
+      : layout_(layout), net_(layout.network()), level_(level) {
+    for (const auto& node : net_.nodes) places_.push_back(node.position);
+  }
+
+  /// Whether a rod goes on over supports, so that starts differ by how it passes them.
+  bool has_choice() const {
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+      if (Over::goes_on(net_.rods[rod], anchors(rod))) return true;
+    return false;
+  }
 
   NetworkState<Space> state() const {
     NetworkState<Space> x;
-    for (const auto& node : net_.nodes) {
-      x.node_frames.push_back(node.frame);
-      x.positions.push_back(node.position);
-    }
+    x.positions = places_;
+    for (const auto& node : net_.nodes) x.node_frames.push_back(node.frame);
     x.forces.assign(layout_.spans().size(), Point<Space>::Zero());
     x.hinge_angles.assign(layout_.hinges(), 0.);
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) add_rod(rod, x);
@@ -45,15 +56,47 @@ class Start {
     return x;
   }
 
-  /// Moves what the supports prescribe in `x` to the fraction λ of the way from `from`, where they
-  /// are at rest, to where they are.
-  void move_supports(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
+  /// The same with the supports of each rod drawn apart until it is nearly straight between them;
+  /// nothing where rods share them.
+  std::optional<Start> drawn_taut() const {
+    Start out = *this;
+    std::vector<char> moved(places_.size(), false);
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+      int before = -1, from = 0;
+      for (const auto& a : layout_.attached(rod)) {
+        if (net_.nodes[a.node].free.cols() == dim) continue;
+        if (moved[a.node]) return std::nullopt;
+        moved[a.node] = true;
+        if (before >= 0) {
+          const auto& grid = net_.rods[rod].grid;
+          const Point<Space> chord = places_[a.node] - places_[before];
+          const double taut = 0.97 * (grid.s(a.vertex) - grid.s(from)), apart = chord.norm();
+          out.places_[a.node] =
+              out.places_[before] + (apart > 0 ? std::max(1., taut / apart) : 1.) * chord;
+        }
+        before = a.node, from = a.vertex;
+      }
+    }
+    return out;
+  }
+
+  /// Moves the points that supports prescribe, and no frames, as below.
+  void move_points(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
     for (int v = 0; v < int(net_.nodes.size()); ++v) {
       const auto& node = net_.nodes[v];
       const double unit = layout_.unit_length(v);  // the length of the free directions
       const Point<Space> place = (1 - λ) * from.positions[v] + λ * node.position;
       const Point<Space> missing = place - x.positions[v];
       x.positions[v] += missing - node.free * (node.free.transpose() * missing) / (unit * unit);
+    }
+  }
+
+  /// Moves what the supports prescribe in `x` to the fraction λ of the way from `from`, where they
+  /// are at rest, to where they are.
+  void move_supports(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
+    move_points(λ, from, x);
+    for (int v = 0; v < int(net_.nodes.size()); ++v) {
+      const auto& node = net_.nodes[v];
       if (node.turns.cols() == 0)
         x.node_frames[v] = between(
             from.node_frames[v],
@@ -69,6 +112,7 @@ class Start {
 
  private:
   using Shape = Bow<Space>;
+  using Over = OverSupports<Space>;
   using Anchor = typename Shape::Anchor;
 
   std::vector<Anchor> anchors(int rod) const {
@@ -78,7 +122,7 @@ class Start {
       const bool held = node.free.cols() < dim;
       const bool clamped = a.rigid && node.turns.cols() < spin;
       if (held || clamped)
-        out.push_back({a.vertex, node.position, clamped, node.frame * a.relative, a.turns});
+        out.push_back({a.vertex, places_[a.node], clamped, node.frame * a.relative, a.turns});
     }
     if (net_.rods[rod].grid.closed() && !out.empty()) {
       out.push_back(out.front());
@@ -91,11 +135,11 @@ class Start {
     const auto& place = net_.placements[rod];
     auto rest = net_.rods[rod].at_rest(place.position, place.frame);
     const auto held = anchors(rod);
-    if (held.size() == 1 && held[0].clamped) rest = carried(net_.rods[rod], rest, held[0]);
+    if (held.size() == 1 && held[0].clamped) rest = Shape::carried(net_.rods[rod], rest, held[0]);
     std::vector<Rotation> frames = rest.frames;
     if (const auto ends = ring_ends(rod, rest); !ends.empty())
       bend(rod, ends, frames);
-    else if (fits(net_.rods[rod], rest, held))
+    else if (Shape::fits(net_.rods[rod], rest, held))
       twist(rod, frames);
     else
       bend(rod, held, frames);
@@ -123,29 +167,6 @@ class Start {
             {net_.rods[rod].edges(), rest.positions[0], true, node * on[1].relative, on[1].turns}};
   }
 
-  /// The shape at rest, moved as a whole to where it is clamped.
-  static CosseratCurve<Space> carried(const Rod<Space>& rod, const CosseratCurve<Space>& rest,
-                                      const Anchor& a) {
-    const Rotation there = vertex_frame(rod.grid, rest, a.vertex);
-    const Rotation move = a.frame * there.conjugate();
-    const Rotation start = move * rest.start_frame;
-    const Point<Space> r0 =
-        a.position + rotate(move, Point<Space>(rest.positions[0] - rest.positions[a.vertex]));
-    return rod.at_rest(r0, start);
-  }
-
-  static bool fits(const Rod<Space>& rod, const CosseratCurve<Space>& rest,
-                   const std::vector<Anchor>& held) {
-    for (const auto& a : held) {
-      const int j = std::min(a.vertex, int(rest.positions.size()) - 1);
-      if ((rest.positions[j] - a.position).norm() > 1e-9 * rod.grid.length() && held.size() > 1)
-        return false;
-      const Rotation W = vertex_frame(rod.grid, rest, a.vertex).conjugate() * a.frame;
-      if (a.clamped && log(principal(W)).norm() > 1e-9) return false;
-    }
-    return true;
-  }
-
   /// Full turns that are put into the shape at rest, evenly from each attachment to the next.
   void twist(int rod, std::vector<Rotation>& frames) const {
     if constexpr (spin == 3) {
@@ -168,10 +189,20 @@ class Start {
   /// at rest goes on.
   void bend(int rod, const std::vector<Anchor>& held, std::vector<Rotation>& frames) const {
     const auto& r = net_.rods[rod];
+    if (Over::goes_on(r, held)) {
+      const Rotation& first =
+          held[0].clamped ? held[0].frame : frames[std::min(held[0].vertex, r.edges() - 1)];
+      const Point<Space> up = Over::up(r, net_.loads[rod], held, frames);
+      const Over over(r, net_.loads[rod], held, first, up, level_);
+      return extend(r, held, over.lay(frames), frames);
+    }
     std::vector<Rotation> at;  // the frame at each held point
     for (std::size_t i = 0; i < held.size(); ++i) at.push_back(frame_at(r, held, frames, i));
-    for (std::size_t i = 1; i < held.size(); ++i)
-      at[i] = bow(r, held[i - 1], held[i], at[i - 1], at[i], rod, frames);
+    for (std::size_t i = 1; i < held.size(); ++i) {
+      Anchor a = held[i - 1], b = held[i];  // where the rod goes on, its frame is one
+      a.clamped = a.clamped || i > 1, b.clamped = b.clamped || i + 1 < held.size();
+      at[i] = bow(r, a, b, at[i - 1], at[i], rod, frames);
+    }
     extend(r, held, at, frames);
   }
 
@@ -213,7 +244,7 @@ class Start {
           a.clamped || b.clamped ? std::numbers::pi / 2 * std::sin(std::numbers::pi * x) : 1;
       frames[j] = exp(Spin<Space>(θ * about)) * exp(Spin<Space>(τ * tilt)) * base[j - a.vertex];
     }
-    return to;
+    return Shape::continued(frames[b.vertex - 1], to);
   }
 
   /// The axis of the bow: so that it goes with the loads, else the way the rod is bent at rest,
@@ -253,6 +284,8 @@ class Start {
 
   const Layout<Space>& layout_;
   const Network<Space>& net_;
+  bool level_;
+  std::vector<Point<Space>> places_;  ///< of the nodes, where they are held
 };
 
 }  // namespace pyrod
