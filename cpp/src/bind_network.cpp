@@ -2,7 +2,6 @@
 #include "job.hpp"
 #include "solvers.hpp"
 
-
 namespace pyrod::bind {
 
 namespace {

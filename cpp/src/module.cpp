@@ -3,8 +3,8 @@
 
 #include <pyrod/core/dispatch.hpp>
 
-#include <Eigen/Core>
 #include <cholmod.h>
+#include <Eigen/Core>
 
 #include <sstream>
 

@@ -164,7 +164,7 @@ class Points(Made):
 
     @property
     def asks(self) -> bool:
-        return super().asks or bool(np.any(self.curvature))
+        return super().asks or bool(np.any(np.asarray(self.curvature)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -190,7 +190,9 @@ class Path:
             if abs(state.eigenvalue) < ZERO * self.start.eigenvalue:
                 return self._bifurcation(known, state.factor, states, above)
         if states[-1].eigenvalue < 0:  # by less than the index is told by
-            return self._bifurcation(known, states[-1].factor, states, above)
+            above = states[-1]
+            states = [state for state in states if state.eigenvalue > 0]
+            known[states[-1].factor] = states[-1]
         optimize = need("scipy.optimize", "all")
 
         def eigenvalue(factor: float) -> float:

@@ -155,6 +155,12 @@ def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], s
             "smooth it, or give the places vertices (Rod.with_vertices)"
         )
         yield AccuracyWarning, message
+    if result.accuracy is not None and result.converged and result.accuracy.of_rounding:
+        message = (
+            f"rounding allows no more than {result.accuracy.of_rounding}: they are small "
+            "differences of large numbers, as the stretch of a stiff member is of lengths"
+        )
+        yield AccuracyWarning, message
     for number, rod in enumerate(result.rods):
         of = f" of rod {number}" if len(result.rods) > 1 else ""
         turn, vertex, stretch, edge = rod._source.doubts(rod.rod._rod)

@@ -13,6 +13,7 @@ _LIMITS = {
     "edges": " within max_edges (Options)",
     "time": " within max_time (Options)",
     "rounding": " above rounding",
+    "failed": ", as the next grid did not converge",
 }
 
 
@@ -61,6 +62,16 @@ class Accuracy(Immutable):
         grids = f"on {self.grids} grids of up to {self.finest_edges} edges"
         return f"tol={self.tol:g} was not reached{limit}; {left}, {grids}"
 
+    @property
+    def of_rounding(self) -> str | None:
+        """Which errors rounding keeps above ``tol``, in words."""
+        left = [
+            f"{name} to {self.errors[name]:.1e}"
+            for name in self.errors
+            if name not in TOLD_APART and self.errors[name] > self.tol
+        ]
+        return ", ".join(left) or None
+
     def __str__(self) -> str:
         reached = f"{self.reached:.1e}" if isfinite(self.reached) else "unknown"
         but = " but for the free motion" if self.neutral else ""
@@ -77,4 +88,5 @@ def accuracy_of(
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
     if not network:
         errors["reactions"] = max(errors["forces"], errors["moments"])
-    return Accuracy(tol, errors, *reached[1:], neutral)
+    order, regular, grids, finest, ended = reached[1:]
+    return Accuracy(tol, errors, order, regular, grids, finest, ended, neutral)

@@ -24,10 +24,11 @@ class NotConverged(RuntimeError):
 
     def __str__(self) -> str:
         r = self.result
-        told = r.accuracy is not None and r.status == "not_accurate"
-        advice = r.accuracy.shortfall if told else r.advice
-        if told and not r.accuracy.regular:
-            advice += f"; {r.scene._ladder.why_irregular}"
+        advice = r.advice
+        if r.accuracy is not None and r.status == "not_accurate":
+            advice = r.accuracy.shortfall
+            if not r.accuracy.regular:
+                advice += f"; {r.scene._ladder.why_irregular}"
         text = f"{r.status} after {r.iterations} iterations: {advice}"
         if self.results is None:
             return text

@@ -178,10 +178,8 @@ class Scene(Immutable, Savable):
         if position is not None and frame is not None:
             return position, frame
         by = carrier(i, self.supports, self.rods) if len(self.supports) > 1 else None
-        if by is None and vertex == 0:
-            rest = rod.placement
-        else:
-            rest = Rest(rod, by).place(vertex)
+        at_start = by is None and vertex == 0
+        rest = rod.placement if at_start else Rest(rod, by).place(vertex)
         return (rest[0] if position is None else position, rest[1] if frame is None else frame)
 
     def __repr__(self) -> str:

@@ -144,7 +144,12 @@ def written(rod: Rod, name_of: Any) -> dict[str, Any]:
     """The table of a rod; ``name_of`` names a section."""
     law = rod._law
     named = isinstance(law, Made) and not isinstance(law, Points)
-    if named and not callable(law.section) and not callable(law.curvature):
+    if (
+        isinstance(law, Made)
+        and named
+        and not callable(law.section)
+        and not callable(law.curvature)
+    ):
         values, base = _by_law(rod, law, name_of), law.base
     else:
         table = law if isinstance(law, Table) else rod._table()

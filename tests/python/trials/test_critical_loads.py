@@ -258,7 +258,7 @@ def test_many_sections_that_jump(seen: bool, monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_jumps_that_are_not_seen_are_warned_of(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pyrod._grids.with_jumping_vertices", lambda scene: scene)
+    monkeypatch.setattr("pyrod._ladder._with_breaks", lambda scene: (scene, None))
     with pytest.warns(AccuracyWarning, match="converge with order .* is not smooth inside an edge"):
         found = critical_load(stepped(8, 0.55, 10))
     assert abs(found.factor - of_stepped(0.55, 10)) <= found.error

@@ -19,10 +19,10 @@ from pyrod import (
     Section,
     Slider,
     Spring,
-    Support,
     solve,
 )
 from pyrod.rotation import log
+from pyrod.supports import Support
 
 ROUND = Section(1, 1, 0.7)
 ROD = Rod.straight(1.0, 64, ROUND)

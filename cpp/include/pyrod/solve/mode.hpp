@@ -11,7 +11,8 @@ namespace pyrod {
 /// A direction in which the energy changes least, or falls most; its largest component is 1.
 struct Mode {
   double eigenvalue = 0;
-  Vector shape;
+  Vector shape;        ///< of the primal rows
+  Vector multipliers;  ///< that go with it
 };
 
 /// K v = λ diag(weights) v on the constraints, with the eigenvalue nearest to −σ; `factor` is that
@@ -33,8 +34,12 @@ inline Mode inverse_iteration(ShiftedFactor& factor, const Vector& weights, doub
     if (i > 3 && std::abs(mode.eigenvalue - before) <= 1e-10 * (std::abs(mode.eigenvalue) + σ))
       break;
   }
+  mode.multipliers = v;
   factor.multipliers().set(0, v);
-  mode.shape = v / v.lpNorm<Eigen::Infinity>();
+  mode.multipliers -= v;
+  const double largest = v.lpNorm<Eigen::Infinity>();
+  mode.multipliers /= largest;
+  mode.shape = v / largest;
   return mode;
 }
 

@@ -92,7 +92,7 @@ class SaddleNewton {
   /// The step that rounding of the gradient may ask for, at the state that was solved for last:
   /// what turns and multipliers are uncertain by.
   const Vector& rounding_step() {
-    trial_ = rounding_here();
+    trial_ = rounding_here() / 4;
     for (int k = 1; k < int(trial_.size()); k += 2) trial_[k] *= -1;
     factor_.factorise(0);
     factor_.solve(trial_, δ_);

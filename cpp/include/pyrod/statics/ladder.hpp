@@ -3,6 +3,7 @@
 /// what they tend to, until the error wanted is reached (docs/theory.md, "The ladder").
 #pragma once
 
+#include <pyrod/statics/error_scales.hpp>
 #include <pyrod/statics/free_turn.hpp>
 
 #include <array>
@@ -20,11 +21,11 @@ struct SoFar {
 };
 
 /// What ended a climb.
-enum class Ended { reached, interrupted, edges, rounding, time };
+enum class Ended { reached, interrupted, edges, rounding, time, failed };
 
 constexpr std::string_view name(Ended ended) {
-  constexpr std::array<std::string_view, 5> names{"reached", "interrupted", "edges", "rounding",
-                                                  "time"};
+  constexpr std::array<std::string_view, 6> names{"reached",  "interrupted", "edges",
+                                                  "rounding", "time",        "failed"};
   return names[std::size_t(ended)];
 }
 
@@ -41,7 +42,7 @@ struct LadderScene {
 };
 
 struct Reached {
-  std::array<double, quantities> errors;  ///< estimates, relative; see `Ladder::scales`
+  std::array<double, quantities> errors;  ///< estimates, relative; see `ErrorScales`
   double order = 0;                       ///< of the grids' own errors, as observed
   bool regular = false;                   ///< whether that is two, so that extrapolation holds
   int levels = 0, edges = 0;              ///< solves, and edges of the finest grid
@@ -80,6 +81,8 @@ class Ladder {
         add(1 << level);
         judge(level);
         if (best_.error <= tolerance_) return told(level, Ended::reached);
+      } else if (best_.level >= 0) {
+        return told(level, Ended::failed);
       } else {
         forget();
       }
@@ -162,30 +165,59 @@ class Ladder {
   void judge(int level) {
     if (rungs_.size() < 3) return;
     const auto all = scales();
-    auto found =
-        Extrapolation(from_second_order(numbers_), {rungs_[0].vertex_rows(),
-                                                    {all.begin(), all.begin() + vertex_quantities},
-                                                    rungs_.back().one_axis,
-                                                    noise()})
-            .result();
+    auto found = extrapolated(all);
+    all.restore(found.errors, 0);
     order_ = found.order;
-    add_soft_errors(found.errors, all[std::size_t(Quantity::curvatures)]);
-    if (found.error() > best_.error) return;
-    best_ = {found.error(), std::move(found), level, rungs_.size()};
+    add_soft_errors(found.errors, all);
+    const double error = all.judged(found.errors);
+    if (error > best_.error) return;
+    best_ = {error, std::move(found), level, rungs_.size()};
+  }
+
+  /// Together; or if some do not converge as they should, as frames in a layer thinner than the
+  /// edges, each quantity by itself.
+  Extrapolated extrapolated(const ErrorScales& all) const {
+    const auto rows = rungs_[0].vertex_rows();
+    const auto of = [&](std::vector<Row> some) {
+      return extrapolation(numbers_, std::move(some), all, 0, vertex_quantities,
+                           rungs_.back().one_axis)
+          .result();
+    };
+    auto found = of(rows);
+    if (found.regular) return found;
+    for (int q = 0; q < vertex_quantities; ++q) {
+      std::vector<Row> own;
+      std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+                   [q](const Row& row) { return row.quantity == q; });
+      if (own.empty()) continue;
+      const auto alone = of(own);
+      if (!alone.regular) continue;
+      for (const auto& row : own)
+        found.values.segment(row.first, row.width) = alone.values.segment(row.first, row.width);
+      found.errors[std::size_t(q)] = alone.errors[std::size_t(q)];
+    }
+    return found;
+  }
+
+  Extrapolation extrapolation(const std::vector<Vector>& numbers, std::vector<Row> rows,
+                              const ErrorScales& all, int first, int count, bool even) const {
+    return {from_second_order(numbers),
+            {std::move(rows), all.levelled(first, count), even, all.noise}};
   }
 
   /// How far along a soft mode the finest grid may be from its equilibrium: differences of grids
-  /// tell nothing of it. Of the energy it is a square. `K`: the scale of curvatures.
-  void add_soft_errors(std::vector<double>& errors, double K) const {
+  /// tell nothing of it. Of the energy it is a square.
+  void add_soft_errors(std::vector<double>& errors, const ErrorScales& all) const {
     const auto& soft = solution_.softness;
     if (solution_.neutral || !soft.soft() || solution_.record.empty()) return;
     const double turn = soft.drift / 2 + 2 * solution_.record.back().step * soft.left();
-    const double bend = turn * std::max(1., soft.bend / K);
-    for (const auto what : {Quantity::positions, Quantity::frames})
-      errors[std::size_t(what)] += turn;
-    for (const auto what : {Quantity::curvatures, Quantity::forces, Quantity::moments,
-                            Quantity::reactions, Quantity::reaction_moments})
-      errors[std::size_t(what)] += bend;
+    const auto add = [&](Quantity what, double size) { errors[std::size_t(what)] += size; };
+    const auto of = [&](Quantity what) { return all.size[std::size_t(what)]; };
+    for (const auto what : {Quantity::positions, Quantity::frames}) add(what, turn);
+    for (const auto what : {Quantity::curvatures, Quantity::moments, Quantity::reaction_moments})
+      add(what, turn * std::max(1., soft.bend / of(Quantity::curvatures)));
+    for (const auto what : {Quantity::forces, Quantity::reactions})
+      add(what, turn * soft.push / of(what));
   }
 
   /// Results without what is proportional to h, if there is such.
@@ -202,43 +234,15 @@ class Ladder {
     for (std::size_t i = 0; i < best_.rungs; ++i)
       if (rungs_[i].stride > 1) edges.push_back(rungs_[i].edges());
     const auto all = scales();
-    const Judgement judgement{
-        rungs_[0].edge_rows(),
-        {all.begin() + vertex_quantities, all.begin() + vertex_quantities + edge_quantities},
-        rungs_[best_.rungs - 1].one_axis,
-        noise()};
-    Extrapolation extrapolation(from_second_order(edges), judgement);
-    return best_.vertices.regular ? extrapolation.trusted() : extrapolation.result();
+    auto edge = extrapolation(edges, rungs_[0].edge_rows(), all, vertex_quantities, edge_quantities,
+                              rungs_[best_.rungs - 1].one_axis);
+    auto found = best_.vertices.regular ? edge.trusted() : edge.result();
+    all.restore(found.errors, vertex_quantities);
+    return found;
   }
 
-  /// Errors of positions are relative to the longest rod, of frames in radians; others to the
-  /// largest value of their kind, unless all are nothing beside EI/L², EI/L or 1/L.
-  std::array<double, quantities> scales() const {
-    std::array<double, quantities> size{};
-    const auto look = [&](Quantity what, const double* numbers, int width) {
-      if (what == Quantity::unjudged) return;
-      auto& s = size[std::size_t(what)];
-      s = std::max(s, Eigen::Map<const Vector>(numbers, width).norm());
-    };
-    const auto& rung = rungs_.back();
-    visit_vertices(rung.rods, rung.nodes, look);
-    visit_edges(rung.rods, look);
-    const auto set = [&](Quantity what, double value) { size[std::size_t(what)] = value; };
-    const auto at_least = [&](Quantity what, Quantity like, double unit) {
-      const double found = std::max(size[std::size_t(what)], size[std::size_t(like)]);
-      size[std::size_t(what)] = found > 1e-8 * unit ? found : unit;
-    };
-    set(Quantity::positions, length_);
-    set(Quantity::frames, 0.5), set(Quantity::edge_frames, 0.5);  // a turn is twice its quaternion
-    set(Quantity::strains, 1);
-    at_least(Quantity::curvatures, Quantity::curvatures, 1 / length_);
-    for (const auto what : {Quantity::reactions, Quantity::edge_forces, Quantity::forces})
-      at_least(what, Quantity::forces, force_);
-    for (const auto what : {Quantity::reaction_moments, Quantity::moments})
-      at_least(what, Quantity::moments, force_ * length_);
-    const double energy = rung.energy();
-    set(Quantity::energy, energy > 1e-16 * force_ * length_ ? energy : force_ * length_);
-    return size;
+  ErrorScales scales() const {
+    return {rungs_.back(), length_, force_, solution_.rounding, noise()};
   }
 
   /// Relative rounding errors on the finest grid, as observed.
@@ -271,14 +275,14 @@ class Ladder {
       std::copy(edges.errors.begin(), edges.errors.end(),
                 out.reached.errors.begin() + vertex_quantities);
       out.reached.errors[std::size_t(Quantity::extremes)] =
-          tell_extremes({rungs_.data(), best_.rungs}, scales(), noise(), rung);
+          tell_extremes({rungs_.data(), best_.rungs}, scales().size, noise(), rung);
     }
     out.reached.order = order_;
     out.reached.levels = level + 1;
     out.reached.edges = edges_ << level;
     out.reached.ended = ended;
     finish(rung);
-    if (solution_.converged() && !(best_.error <= tolerance_))
+    if (ended == Ended::failed || (solution_.converged() && !(best_.error <= tolerance_)))
       solution_.status = Status::not_accurate;
     out.solution = std::move(solution_);
     return out;

@@ -150,9 +150,9 @@ struct Loads {
     share_out(grid, f, following_shares);
   }
 
-  /// A couple at a place in the components of the frame there, shared like a dead one. The frames of
-  /// the edges beside it are turned back by what the couple itself bends their halves, `compliance`
-  /// 1/C: else at a vertex the sum would be off by a part of h C⁻¹ M × M.
+  /// A couple at a place in the components of the frame there, shared like a dead one. The frames
+  /// of the edges beside it are turned back by what the couple itself bends their halves,
+  /// `compliance` 1/C: else at a vertex the sum would be off by a part of h C⁻¹ M × M.
   void add_following_couple(const Grid& grid, const Spin<Space>& M, const Site& at,
                             const Spin<Space>& compliance = Spin<Space>::Zero()) {
     check_edges(grid.edges());

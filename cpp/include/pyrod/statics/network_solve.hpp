@@ -6,18 +6,13 @@
 #include <pyrod/solve/saddle_newton.hpp>
 #include <pyrod/statics/levels.hpp>
 #include <pyrod/statics/recovery.hpp>
+#include <pyrod/statics/rounding.hpp>
 #include <pyrod/statics/softness.hpp>
 #include <pyrod/statics/start.hpp>
 
 #include <memory>
 
 namespace pyrod {
-
-/// By how much rounding may move an equilibrium: where members are stiff along themselves it makes
-/// large forces of small gaps.
-struct Rounding {
-  double turn = 0, force = 0, moment = 0;  ///< [rad], [N], [N m]
-};
 
 /// How a solve of a network went.
 template <class Space>
@@ -143,6 +138,10 @@ class NetworkSolver {
       out_.status = Status::taut;
     else if (resort && !converged() && out_.status != Status::interrupted)
       bring_on_loads(problem, newton, start);
+    if (!estimate && converged() && untie(layout, out_.state)) {
+      keep(newton.solve(out_.state, Curvature::exact));
+      if (converged() && untie(layout, out_.state)) out_.status = Status::too_coarse;
+    }
     for (int i = 0; i < 6 && more_.stable && converged() && out_.index > 0; ++i)
       if (!descend(problem, newton)) break;
     out_.fill = newton.fill();
@@ -157,17 +156,34 @@ class NetworkSolver {
   Rounding rounding(const Problem& problem, SaddleNewton<Problem>& newton) const {
     const Vector& step = newton.rounding_step();
     Rounding out;
-    for (int e = 0; e < fine_->edges(); ++e)
-      out.turn = std::max(out.turn, step.template segment<Space::spin>(problem.first_row(e))
-                                        .template lpNorm<Eigen::Infinity>());
-    for (int p = 0; p < int(fine_->spans().size()); ++p) {
-      const auto& span = fine_->spans()[p];
-      if (span.block < 0) continue;
-      const double force =
-          (span.open * step.segment(problem.first_row_of(span.block), span.open.cols())).norm();
-      out.force = std::max(out.force, force);
-      out.moment = std::max(out.moment, force * fine_->span_length(p));
-    }
+    out.force = largest_force(problem, step);
+    for_each_cell(problem, step, [&](const auto& turn, const auto& change, int rod, int j) {
+      const auto& r = fine_->network().rods[rod];
+      out.turn = std::max(out.turn, turn.norm());
+      out.moment = std::max(out.moment, r.bending[j].cwiseProduct(change).norm() / r.grid.Δs(j));
+    });
+    return out;
+  }
+
+  /// Calls see(turn behind it, change of the turn, rod, vertex) for the cells inside all rods.
+  template <class See>
+  void for_each_cell(const Problem& problem, const Vector& step, const See& see) const {
+    const auto turn = [&](int rod, int j) -> Spin<Space> {
+      return step.template segment<Space::spin>(problem.first_row(fine_->edge(rod, j)));
+    };
+    for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod)
+      for (int j = 1; j < fine_->network().rods[rod].edges(); ++j)
+        see(turn(rod, j), Spin<Space>(turn(rod, j) - turn(rod, j - 1)), rod, j);
+  }
+
+  /// Of the section forces that a step of the multipliers adds.
+  double largest_force(const Problem& problem, const Vector& step) const {
+    double out = 0;
+    for (const auto& span : fine_->spans())
+      if (span.block >= 0)
+        out = std::max(
+            out,
+            (span.open * step.segment(problem.first_row_of(span.block), span.open.cols())).norm());
     return out;
   }
 
@@ -192,18 +208,12 @@ class NetworkSolver {
     Vector rounding;
     problem.rounding(out_.state, rounding);
     double squares = 0;
-    for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod) {
-      const auto& r = fine_->network().rods[rod];
-      for (int j = 1; j < r.edges(); ++j) {
-        const int before = problem.first_row(fine_->edge(rod, j - 1)),
-                  behind = problem.first_row(fine_->edge(rod, j));
-        const double change = (mode.shape.template segment<Space::spin>(behind) -
-                               mode.shape.template segment<Space::spin>(before))
-                                  .norm();
-        squares += std::pow(change * rounding[behind] / 8, 2);
-        out.bend = std::max(out.bend, change / r.grid.Δs(j));
-      }
-    }
+    for_each_cell(problem, mode.shape, [&](const auto&, const auto& change, int rod, int j) {
+      const double row = rounding[problem.first_row(fine_->edge(rod, j))];
+      squares += std::pow(change.norm() * row / 8, 2);
+      out.bend = std::max(out.bend, change.norm() / fine_->network().rods[rod].grid.Δs(j));
+    });
+    out.push = largest_force(problem, mode.multipliers);
     const double stiffness =
         std::abs(mode.eigenvalue) * mode.shape.cwiseAbs2().dot(problem.stiffness());
     out.drift = std::sqrt(squares) / stiffness;
@@ -277,6 +287,22 @@ class NetworkSolver {
     }
     newton.set(options_);
     return false;
+  }
+
+  /// Takes out loops that lie in one cell: a shape whose neighbouring edges turn by more than half
+  /// a turn means nothing, unless it was given. Whether there were any.
+  static bool untie(const Layout<Space>& layout, NetworkState<Space>& x) {
+    bool found = false;
+    for (int rod = 0; rod < int(layout.network().rods.size()); ++rod)
+      for (int j = 1; j < layout.network().rods[rod].edges(); ++j) {
+        const auto& before = x.frames[layout.edge(rod, j - 1)];
+        auto& frame = x.frames[layout.edge(rod, j)];
+        const auto W = before.conjugate() * frame;
+        if (log(W).norm() <= std::numbers::pi + 1e-6) continue;
+        frame = before * principal(W);
+        found = true;
+      }
+    return found;
   }
 
   /// Whether a span that cannot stretch is as long as its ends, which are held, are apart, and no

@@ -14,6 +14,7 @@ struct Softness {
   double eigenvalue = std::numeric_limits<double>::infinity();  ///< over EI/L of the scene
   double drift = 0;  ///< turn [rad] along the mode that rounding does not tell from none
   double bend = 0;   ///< by how much curvatures change with the mode's largest turn [1/m]
+  double push = 0;   ///< by how much section forces do [N]
 
   bool neutral() const { return std::abs(eigenvalue) < 3 * shift; }
   bool soft() const { return std::abs(eigenvalue) < 1e-2; }
