@@ -192,11 +192,18 @@ class Table:
         s, base = _arc_lengths(h), _arc_lengths(self.base)
         edge = _edges_at((s[1:] + s[:-1]) / 2, self.base)
         return Material(
-            1 / _interpolated(s, base, 1 / self.bending),
+            self._bending(s, base),
             self.stretching[edge],
             self._K0(h),
             self.mass[edge],
         )
+
+    def _bending(self, s: Array, base: Array) -> Array:
+        """Where nothing changes along the rod it is kept to the last bit."""
+        out = 1 / _interpolated(s, base, 1 / self.bending)
+        same = (self.bending == self.bending[0]).all(axis=0)
+        out[:, same] = self.bending[0, same]
+        return out
 
     def _K0(self, h: Array) -> Array:
         if self.corners:

@@ -89,11 +89,11 @@ class SaddleNewton {
     return inverse_iteration(factor_, factor_.stiffness(), 0, 2, false);
   }
 
-  /// The step that rounding of the gradient may ask for, at the state that was solved for last:
-  /// what turns and multipliers are uncertain by.
+  /// The step that rounding of the gaps may ask for, at the state that was solved for last: what
+  /// multipliers are uncertain by.
   const Vector& rounding_step() {
-    trial_ = rounding_here() / 4;
-    for (int k = 1; k < int(trial_.size()); k += 2) trial_[k] *= -1;
+    trial_.setZero();
+    for (const int k : multipliers_.rows()) trial_[k] = rounding_here()[k] / 4;
     factor_.factorise(0);
     factor_.solve(trial_, δ_);
     return δ_;

@@ -20,9 +20,6 @@ struct ErrorScales {
       : noise(noise) {
     measure(rung, length, force);
     least.fill(noise);
-    allow(Quantity::positions, length * rounding.turn);
-    for (const auto what : {Quantity::frames, Quantity::edge_frames})
-      allow(what, rounding.turn / 2);
     allow(Quantity::curvatures, rounding.moment / (force * length * length));
     for (const auto what : {Quantity::forces, Quantity::reactions, Quantity::edge_forces})
       allow(what, rounding.force);

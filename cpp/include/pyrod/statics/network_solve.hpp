@@ -157,15 +157,14 @@ class NetworkSolver {
     const Vector& step = newton.rounding_step();
     Rounding out;
     out.force = largest_force(problem, step);
-    for_each_cell(problem, step, [&](const auto& turn, const auto& change, int rod, int j) {
+    for_each_cell(problem, step, [&](const auto& change, int rod, int j) {
       const auto& r = fine_->network().rods[rod];
-      out.turn = std::max(out.turn, turn.norm());
       out.moment = std::max(out.moment, r.bending[j].cwiseProduct(change).norm() / r.grid.Δs(j));
     });
     return out;
   }
 
-  /// Calls see(turn behind it, change of the turn, rod, vertex) for the cells inside all rods.
+  /// Calls see(change of the turn, rod, vertex) for the cells inside all rods.
   template <class See>
   void for_each_cell(const Problem& problem, const Vector& step, const See& see) const {
     const auto turn = [&](int rod, int j) -> Spin<Space> {
@@ -173,7 +172,7 @@ class NetworkSolver {
     };
     for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod)
       for (int j = 1; j < fine_->network().rods[rod].edges(); ++j)
-        see(turn(rod, j), Spin<Space>(turn(rod, j) - turn(rod, j - 1)), rod, j);
+        see(Spin<Space>(turn(rod, j) - turn(rod, j - 1)), rod, j);
   }
 
   /// Of the section forces that a step of the multipliers adds.
@@ -208,7 +207,7 @@ class NetworkSolver {
     Vector rounding;
     problem.rounding(out_.state, rounding);
     double squares = 0;
-    for_each_cell(problem, mode.shape, [&](const auto&, const auto& change, int rod, int j) {
+    for_each_cell(problem, mode.shape, [&](const auto& change, int rod, int j) {
       const double row = rounding[problem.first_row(fine_->edge(rod, j))];
       squares += std::pow(change.norm() * row / 8, 2);
       out.bend = std::max(out.bend, change.norm() / fine_->network().rods[rod].grid.Δs(j));

@@ -6,7 +6,7 @@ namespace pyrod {
 
 /// Where members are stiff along themselves rounding makes large forces of gaps that are nothing.
 struct Rounding {
-  double turn = 0, force = 0, moment = 0;  ///< [rad], [N], [N m]
+  double force = 0, moment = 0;  ///< [N], [N m]
 };
 
 }  // namespace pyrod
