@@ -81,5 +81,5 @@ def test_progress_shows_grids_edges_and_errors(capfd: pytest.CaptureFixture[str]
     pyrod.solve(scene, Options(max_edges=2**18), tol=1e-14, strict=False, progress=True)
     told = capfd.readouterr().err
     assert "grids=" in told
-    assert re.search(r"edges=(16384|32768|65536|131072)\b", told)
+    assert re.search(r"edges=[1-9]\d{4,5}\b", told)
     assert "error=" in told

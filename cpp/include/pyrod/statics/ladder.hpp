@@ -205,12 +205,14 @@ class Ladder {
             {std::move(rows), all.levelled(first, count), even, all.noise}};
   }
 
-  /// How far along a soft mode the finest grid may be from its equilibrium: differences of grids
-  /// tell nothing of it. Of the energy it is a square.
+  /// How far along a soft mode the finest grid may be from its equilibrium: differences of grids,
+  /// each of which errs as much, tell its order only. Of the energy it is a square.
   void add_soft_errors(std::vector<double>& errors, const ErrorScales& all) const {
     const auto& soft = solution_.softness;
     if (solution_.neutral || !soft.soft() || solution_.record.empty()) return;
-    const double turn = soft.drift / 2 + 2 * solution_.record.back().step * soft.left();
+    const double seen = std::max(errors[std::size_t(Quantity::frames)], noise());
+    const double turn =
+        std::min(soft.drift / 2 + 2 * solution_.record.back().step * soft.left(), 30 * seen);
     const auto add = [&](Quantity what, double size) { errors[std::size_t(what)] += size; };
     const auto of = [&](Quantity what) { return all.size[std::size_t(what)]; };
     for (const auto what : {Quantity::positions, Quantity::frames}) add(what, turn);
