@@ -149,7 +149,7 @@ def test_chain_however_limp(weight, space):
 
 @pytest.mark.parametrize("weight", [1e12, 1e15])
 def test_catenary(weight):
-    """The pull is that of a cable. Ends bend within 1e-6 of the length: frames there are not told."""
+    """The pull is that of a cable. Ends bend within 1e-6 of the length: untold."""
     from scipy.optimize import brentq
 
     a = brentq(lambda a: 2 * a * np.sinh(0.4 / a) - 1, 0.1, 1, xtol=1e-16)  # of length 1, span 0.8

@@ -68,6 +68,8 @@ class SaddleNewton {
   Mode lowest_mode() {
     double above = 0;
     factor_.factorise(0, weights_);
+    for (int i = 1; factor_.broken() && i < 10; ++i)  // a pivot that is zero to the last bit
+      factor_.factorise(above = 1e-7 * i * problem_.unit_energy(), weights_);
     if (factor_.index() > 0) {
       double below = 0;
       for (above = problem_.unit_energy(); unstable_behind(above); above *= 4) below = above;

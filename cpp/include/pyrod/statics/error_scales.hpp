@@ -42,11 +42,11 @@ struct ErrorScales {
       errors[i] *= least[std::size_t(first) + i] / noise;
   }
 
-  /// The largest error that is more than rounding.
+  /// The largest error, but for those that are what rounding makes of small gaps: no grid is better.
   double judged(const std::vector<double>& errors) const {
     double out = noise;
     for (std::size_t q = 0; q < errors.size(); ++q)
-      if (!(errors[q] <= 3 * least[q])) out = std::max(out, errors[q]);
+      if (!(least[q] > noise && errors[q] <= 3 * least[q])) out = std::max(out, errors[q]);
     return out;
   }
 

@@ -210,10 +210,11 @@ class Ladder {
   void add_soft_errors(std::vector<double>& errors, const ErrorScales& all) const {
     const auto& soft = solution_.softness;
     if (solution_.neutral || !soft.soft() || solution_.record.empty()) return;
-    const double seen = std::max(errors[std::size_t(Quantity::frames)], noise());
-    const double turn =
-        std::min(soft.drift / 2 + 2 * solution_.record.back().step * soft.left(), 30 * seen);
-    const auto add = [&](Quantity what, double size) { errors[std::size_t(what)] += size; };
+    const double turn = soft.drift / 8 + 2 * solution_.record.back().step * soft.left();
+    const auto add = [&](Quantity what, double size) {
+      auto& error = errors[std::size_t(what)];
+      error += std::min(size, 3 * std::max(error, all.noise));
+    };
     const auto of = [&](Quantity what) { return all.size[std::size_t(what)]; };
     for (const auto what : {Quantity::positions, Quantity::frames}) add(what, turn);
     for (const auto what : {Quantity::curvatures, Quantity::moments, Quantity::reaction_moments})
