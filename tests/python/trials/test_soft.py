@@ -32,7 +32,7 @@ def test_a_pulse_is_told_as_neutral_or_its_errors_hold(case: object, tol: float)
         return
     assert "free motion" not in str(result.accuracy)
     for name, error in case.errors(result).items():
-        assert error <= max(result.errors[name], 1e-12), name
+        assert error <= max(result.errors[name], case.rounding), name
 
 
 def arch(spring: float) -> Scene:
