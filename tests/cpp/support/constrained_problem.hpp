@@ -60,7 +60,7 @@ struct ConstrainedProblem {
     return out;
   }
   void multiplier_sizes(const State& state, Vector& out) const {
-    out.tail(constraints) = 1 + state.tail(constraints).array().abs() / unit;
+    out.tail(constraints) = 1 + state.tail(constraints).array().abs();  // c is in `unit`, λ is not
   }
   void rounding(const State&, Vector& out) const {
     out.setConstant(size + constraints, 1e-15 * unit);

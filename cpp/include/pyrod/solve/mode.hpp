@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+
 namespace pyrod {
 
 /// A direction in which the energy changes least, or falls most; its largest component is 1.
@@ -54,7 +56,9 @@ inline int confirmed_index(ShiftedFactor& factor, double zero = 1e-6, double nea
   if (factor.broken() || count <= 0 || count > most) return std::max(below, 0);
   const auto& K = factor.matrix();
   const auto& U = factor.stiffness();
-  Eigen::MatrixXd X = Eigen::MatrixXd::Zero(K.size(), count + 2), KX = X;
+  // two directions more than modes, if there are so many on the constraints
+  const int all = K.size() - 2 * factor.multipliers().count();
+  Eigen::MatrixXd X = Eigen::MatrixXd::Zero(K.size(), std::clamp(all, count, count + 2)), KX = X;
   for (int k = 0; k < X.cols(); ++k) {
     X.col(k) = Vector::LinSpaced(K.size(), 0.3 + k, 1.7 + (k + 1) * (k + 1)).array().sin();
     for (const int row : factor.multipliers().rows()) X(row, k) = 0;

@@ -100,7 +100,7 @@ class ShiftedFactor {
       if (now <= 1e-16 * size(x)) return true;
       before = now;
     }
-    return true;
+    return false;  // too slow to have come to an end
   }
 
   SymmetricMatrix& K_;
