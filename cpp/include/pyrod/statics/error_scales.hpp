@@ -42,7 +42,8 @@ struct ErrorScales {
       errors[i] *= least[std::size_t(first) + i] / noise;
   }
 
-  /// The largest error, but for those that are what rounding makes of small gaps: no grid is better.
+  /// The largest error, but for those that are what rounding makes of small gaps: no grid is
+  /// better.
   double judged(const std::vector<double>& errors) const {
     double out = noise;
     for (std::size_t q = 0; q < errors.size(); ++q)
