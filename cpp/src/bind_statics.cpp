@@ -126,10 +126,11 @@ void statics(py::module_& module) {
       .value("spatial", Dimension::spatial);
 
   py::class_<GridLoads>(module, "Loads")
-      .def(py::init([](const Rod<Spatial>& rod, const GridLoads* level0) {
-             return level0 ? GridLoads(rod, level0->grid) : GridLoads(rod);
+      .def(py::init<const Rod<Spatial>&>(), py::arg("rod"))
+      .def(py::init([](const Rod<Spatial>& rod, const GridLoads& level0) {
+             return GridLoads(rod, level0.grid);
            }),
-           py::arg("rod"), py::arg("level0") = py::none(),
+           py::arg("rod"), py::arg("level0"),
            "level0: the loads of the coarsest grid, where places are found.")
       .def(
           "add_force",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -334,3 +335,9 @@ class Rod(Immutable):
         curved = "precurved" if self.K0.any() else "straight"
         edges = self.edges if self._breaks is None else None
         return f"Rod({self.model}, {curved}, length={self.length:g}, edges={edges})"
+
+
+# What help and editors show is what the dataclass takes, not what `__new__` looks at.
+Rod.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
+    list(inspect.signature(Rod.__init__).parameters.values())[1:]
+)

@@ -84,6 +84,9 @@ class RodSolution:
     def K(self) -> numpy.ndarray:
         ...
     @property
+    def K_before(self) -> numpy.ndarray:
+        ...
+    @property
     def bend_twist_energy(self) -> float:
         ...
     @property
@@ -91,6 +94,15 @@ class RodSolution:
         ...
     @property
     def frames(self) -> numpy.ndarray:
+        ...
+    @property
+    def largest_K(self) -> float:
+        ...
+    @property
+    def largest_force(self) -> float:
+        ...
+    @property
+    def largest_moment(self) -> float:
         ...
     @property
     def load(self) -> numpy.ndarray:
@@ -108,6 +120,9 @@ class RodSolution:
     def moment(self) -> numpy.ndarray:
         ...
     @property
+    def moment_before(self) -> numpy.ndarray:
+        ...
+    @property
     def positions(self) -> numpy.ndarray:
         ...
     @property
@@ -115,6 +130,9 @@ class RodSolution:
         ...
     @property
     def vertex_force(self) -> numpy.ndarray:
+        ...
+    @property
+    def vertex_force_before(self) -> numpy.ndarray:
         ...
     @property
     def vertex_frames(self) -> numpy.ndarray:
@@ -201,7 +219,7 @@ class Options:
         ...
     def __hash__(self) -> int:
         ...
-    def __init__(self, **kwargs) -> None:
+    def __init__(self, *args, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -213,14 +231,14 @@ class Options:
         edges of all rods together on the finest grid that a tolerance may lead to
         """
     @property
-    def max_time(self) -> float:
-        """
-        seconds that the grids of a tolerance may take: none is begun that would end later, if it took as long as the one before
-        """
-    @property
     def max_iterations(self) -> int:
         """
         linear solves of one run before giving up
+        """
+    @property
+    def max_time(self) -> float:
+        """
+        seconds that the grids of a tolerance may take: none is begun that would end later, if it took as long as the one before
         """
     @property
     def near(self) -> float:
@@ -283,7 +301,7 @@ class Dimension:
     def value(self) -> int:
         ...
 class Loads:
-    def __init__(self, rod: Rod, level0: Loads | None = None) -> None:
+    def __init__(self, rod: Rod, level0: Loads = None) -> None:
         """
         level0: the loads of the coarsest grid, where places are found.
         """

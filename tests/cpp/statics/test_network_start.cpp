@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts from a network whose supports and joints were others.
+#include "support/models.hpp"
 #include "support/near.hpp"
 #include "support/network.hpp"
 
