@@ -122,7 +122,7 @@ class SaddleNewton {
     problem_.linearise(x_, curvature_, here_);
     problem_.multiplier_sizes(x_, sizes_);
     factor_.renew(softness_, sizes_);
-    rounding_.resize(0);
+    rounding_known_ = false;
   }
 
   void split_step() {
@@ -200,7 +200,7 @@ class SaddleNewton {
   /// The step that leaves none.
   void correct_step(Iteration& now) {
     if (problem_.conservative())
-      factor_.correct(-here_.gradient, δ_);
+      trial_ = -here_.gradient, factor_.correct(trial_, δ_);
     else
       correct(x_, δ_);
     split_step();
@@ -256,7 +256,8 @@ class SaddleNewton {
   bool rounded() { return (here_.gradient.array().abs() <= rounding_here().array()).all(); }
 
   const Vector& rounding_here() {
-    if (rounding_.size() == 0) problem_.rounding(x_, rounding_);
+    if (!rounding_known_) problem_.rounding(x_, rounding_);
+    rounding_known_ = true;
     return rounding_;
   }
 
@@ -353,6 +354,7 @@ class SaddleNewton {
   Vector δ_, primal_, dual_;  ///< the step, without the multipliers, and of these alone
   Vector trial_;
   Vector sizes_, rounding_;  ///< of the multipliers; of the gradient
+  bool rounding_known_ = false;
   Curvature curvature_ = Curvature::convex;
 };
 

@@ -16,8 +16,9 @@ struct ErrorScales {
   double noise = 0;                        ///< the same of numbers that nothing magnifies
 
   /// `length`, `force`: units of the scene.
-  ErrorScales(const Rung& rung, double length, double force, const Rounding& rounding, double noise)
-      : noise(noise) {
+  ErrorScales(const Rung& rung, double length, double force, const Rounding& rounding,
+              double least_error)
+      : noise(least_error) {
     measure(rung, length, force);
     least.fill(noise);
     allow(Quantity::curvatures, rounding.moment / (force * length * length));
