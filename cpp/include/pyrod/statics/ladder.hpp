@@ -213,7 +213,7 @@ class Ladder {
     const double turn = soft.drift / 8 + 2 * solution_.record.back().step * soft.left();
     const auto add = [&](Quantity what, double size) {
       auto& error = errors[std::size_t(what)];
-      error += std::min(size, 2 * std::max(error, all.noise));
+      error += std::min(size, 2 * std::max(error - all.noise, 0.) + all.noise / 2);
     };
     const auto of = [&](Quantity what) { return all.size[std::size_t(what)]; };
     for (const auto what : {Quantity::positions, Quantity::frames}) add(what, turn);

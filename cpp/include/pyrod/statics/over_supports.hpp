@@ -7,6 +7,7 @@
 #pragma once
 
 #include <pyrod/statics/arch.hpp>
+#include <pyrod/statics/loads.hpp>
 
 #include <array>
 
