@@ -301,7 +301,11 @@ class Dimension:
     def value(self) -> int:
         ...
 class Loads:
-    def __init__(self, rod: Rod, level0: Loads = None) -> None:
+    @typing.overload
+    def __init__(self, rod: Rod) -> None:
+        ...
+    @typing.overload
+    def __init__(self, rod: Rod, level0: Loads) -> None:
         """
         level0: the loads of the coarsest grid, where places are found.
         """
