@@ -74,8 +74,12 @@ def _sizes(values: Array) -> Array:
 class _Search:
     def __init__(self, value: Callable[[float], Array], length: float) -> None:
         self._value, self._length = value, length
-        self.found: list[float] = []
+        self._around: dict[float, float] = {}  # how far beside each place others were looked for
         self.unresolved = False
+
+    @property
+    def found(self) -> list[float]:
+        return list(self._around)
 
     def look(self, a: float, b: float, intervals: int, most: int, depth: int = 0) -> bool:
         """Finds what is between a and b; False if more stands out than is worth following."""
@@ -87,7 +91,7 @@ class _Search:
             return False
         d = (b - a) / intervals
         for i in np.flatnonzero(peaks):
-            if len(self.found) > MOST:
+            if len(self._around) > MOST:
                 break
             if (place := self._followed(float(s[i]), d)) is not None:
                 self._keep(*place, d, depth)
@@ -96,18 +100,18 @@ class _Search:
     def _keep(self, x: float, width: float, d: float, depth: int) -> None:
         """Takes a place, and looks for others that it hides."""
         margin = APART * self._length + 2 * width
-        if not margin < x < self._length - margin or self._is_near(x, margin):
+        if not margin < x < self._length - margin:
             return
-        self.found.append(float(x))
+        x = next((known for known in self._around if abs(x - known) < margin), float(x))
+        if self._around.get(x, 0.0) >= d:
+            return
+        self._around[x] = d
         if depth == 2:
             return
         for a, b in ((x - 4 * d, x - margin), (x + margin, x + 4 * d)):
             a, b = max(a, 0.0), min(b, self._length)
             if b - a > 8 * margin:
                 self.look(a, b, STRIP, STRIP, depth + 1)
-
-    def _is_near(self, x: float, margin: float) -> bool:
-        return any(abs(x - y) < margin for y in self.found)
 
     def _followed(self, s: float, d: float) -> tuple[float, float] | None:
         """What is between s and s + 4 d, and how exactly it is known; None: it is smooth."""
