@@ -114,12 +114,14 @@ class Extrapolation {
 
   /// What is told are the values before the last elimination. Their column shrinks no less than the
   /// one before it was seen to, and that tells their errors: where rounding hides the powers, or a
-  /// layer thinner than h, these are as large as the differences. Errors that happen to vanish on
-  /// this grid are kept from a part of what they were on the one before.
+  /// layer thinner than h, these are as large as the differences. Grids whose own errors do not yet
+  /// shrink quite as they should have more behind them. Errors that happen to vanish on this grid
+  /// are kept from a part of what they were on the one before.
   std::vector<double> corrections() const {
     const int m = last_ - 1;
     const double ratio = std::clamp(decay(m - 1), std::exp2(1 - power(m)), 0.75);
-    const double caution = 1.5 * ratio / (1 - ratio);
+    const double early = 1 + 20 * std::abs(4 * shrinking(0) - 1);
+    const double caution = 1.5 * early * ratio / (1 - ratio);
     const Vector now = caution * difference(m, last_);
     const Vector before = caution * divisor(m) * (columns_[m].front() - columns_[m - 1].front());
     const double smaller = size(before) > 0 ? std::min(1., size(now) / size(before)) : 1;
