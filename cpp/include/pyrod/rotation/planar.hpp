@@ -58,6 +58,9 @@ inline Vec1 inverse_cayley(Angle a) { return Vec1(std::tan(a.radians / 4)); }
 /// The same frame by the smaller turn, |angle| ≤ π.
 inline Angle principal(Angle a) { return {std::remainder(a.radians, 2 * std::numbers::pi)}; }
 
+/// Whether the turn is by half a turn at most, but for rounding.
+inline bool is_principal(Angle a) { return std::abs(a.radians) < std::numbers::pi + 1e-6; }
+
 template <class Real>
 AngleOf<Real> moved(const AngleOf<Real>& a, const Vec<1, Real>& φ) {
   return {a.radians + φ[0]};

@@ -54,6 +54,9 @@ inline Quaternion principal(const Quaternion& p) {
   return p.w() < 0 ? Quaternion(-p.w(), -p.x(), -p.y(), -p.z()) : p;
 }
 
+/// Whether the turn is by half a turn at most, but for rounding.
+inline bool is_principal(const Quaternion& p) { return p.w() > -5e-7; }
+
 /// R itself, with the directors a1, a2, a3 as columns.
 inline Mat3 matrix(const Quaternion& q) { return q.toRotationMatrix(); }
 

@@ -303,7 +303,7 @@ class NetworkSolver {
         const auto& before = x.frames[layout.edge(rod, j - 1)];
         auto& frame = x.frames[layout.edge(rod, j)];
         const auto W = before.conjugate() * frame;
-        if (log(W).norm() <= std::numbers::pi + 1e-6) continue;
+        if (is_principal(W)) continue;
         frame = before * principal(W);
         found = true;
       }
