@@ -48,12 +48,22 @@ def turned(moment: object, section: Section, space: str) -> Callable[[int | None
     return lambda n: Scene(straight(n, section), Clamp(), [moment, load], space)
 
 
-def tee(n: int | None) -> Scene:
+def on_a_spring(moment: Moment, space: str) -> Callable[[int | None], Scene]:
+    load = Force((1, 0, -0.5) if space == "planar" else (1, -2, 0.5))
+    spring = Spring(10.0, 1.0, (0.05, 0, 0.45), at=0.5)
+    return lambda n: Scene(straight(n, STRIP), [Clamp(), spring], [moment, load], space)
+
+
+def tee(n: int | None, *more: object) -> Scene:
     post = straight(n)
     arm = straight(n).placed((0, 0, 0.5), tangent=(1, 0, 0), normal=(0, 0, -1))
     joint = Joint(((0, 0.5), (1, "start")), "rigid")
     held = [Clamp(at=(0, "start")), Hinge((0.1, 0, 0.9), at=(0, "end"))]
-    return Scene([post, arm], held, Force((0, 1, -2), at=(1, "end")), joints=[joint])
+    return Scene([post, arm], held, [Force((0, 1, -2), at=(1, "end")), *more], joints=[joint])
+
+
+def on_a_tee(follower: bool) -> Callable[[int | None], Scene]:
+    return lambda n: tee(n, Moment((0.6, 1, 0.5), at=(0, 0.5), follower=follower))
 
 
 def stepped(s: float) -> Section:
@@ -71,11 +81,14 @@ def clip_at_a_step(n: int | None) -> Scene:
     return Scene(rod, [Clamp(), inner], Force((1, 2, 0.5)))
 
 
-def between_vertices_of_unequal_edges(n: int | None) -> Scene:
+def between_vertices_of_unequal_edges(load: object) -> Callable[[int | None], Scene]:
+    return lambda n: Scene(unequal(n), Clamp(), [load, Force((1, -2, 0.5))])
+
+
+def unequal(n: int | None) -> Rod:
     part = (n or 16) // 4
     h = np.concatenate([np.full(part, 0.5 / part), np.full(3 * part, 0.5 / part / 3)])
-    rod = Rod.precurved(h, None, STRIP, (0.3, 1, 0.2))
-    return Scene(rod, Clamp(), [Moment((0.6, 1, 0.5), at=0.5), Force((1, -2, 0.5))])
+    return Rod.precurved(h, None, STRIP, (0.3, 1, 0.2))
 
 
 SCENES: dict[str, Callable[[int | None], Scene]] = {
@@ -94,7 +107,13 @@ SCENES: dict[str, Callable[[int | None], Scene]] = {
     "rigid T": tee,
     "function": of_function,
     "clip at a step": clip_at_a_step,
-    "unequal edges": between_vertices_of_unequal_edges,
+    "unequal edges": between_vertices_of_unequal_edges(Moment((0.6, 1, 0.5), at=0.5)),
+    "following force": between_vertices_of_unequal_edges(Force((2, 1, -3), at=0.5, follower=True)),
+    "moment on a T": on_a_tee(False),
+    "follower on a T": on_a_tee(True),
+    "moment on a spring, planar": on_a_spring(Moment((0, 2, 0), at=0.5), "planar"),
+    "moment on a spring": on_a_spring(Moment((0.6, 1, 0.5), at=0.5), "spatial"),
+    "follower on a spring": on_a_spring(Moment((0.4, 2, 0.5), at=0.5, follower=True), "spatial"),
 }
 
 

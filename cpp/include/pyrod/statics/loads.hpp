@@ -56,12 +56,13 @@ struct FollowerCouple {
   Spin<Space> couple;
 };
 
-/// A moment that acts at an inner vertex: what of it the edges before and behind the vertex feel.
+/// A moment that acts at an inner vertex, and what of it the edges before and behind feel.
 template <class Space>
 struct VertexCouple {
   int vertex;
-  Spin<Space> before, behind;
-  bool follows;  ///< material components of either edge; else spatial
+  Spin<Space> couple, before, behind;
+  bool follows;          ///< material components of the vertex, or of either edge; else spatial
+  bool on_node = false;  ///< it acts on the frame of a node, and the edges feel nothing
 };
 
 /// Curvature that a rod has at rest at its ends, by which a frame there differs from its edge's.
@@ -111,14 +112,15 @@ struct Loads {
     const auto [behind, t] = between_centres(grid, at);
     (behind > 0 ? couple[behind - 1] : start_couple) += (1 - t) * M;
     if (behind < grid.edges()) couple[behind] += t * M;
-    note_couple(grid, (1 - t) * M, t * M, at, behind, false);
+    note_couple(grid, {behind, M, (1 - t) * M, t * M, false}, at);
   }
   void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
     add_couple(grid, M, Site::on(grid, s));
   }
 
-  /// A force at a place in the components of the frame there: that of the edge; at a vertex half in
-  /// that of either edge; at an end in that of the edge, turned on by the curvature at rest.
+  /// A force at a place in the components of the frame there: that of the edge; at a vertex between
+  /// those of the edges beside it, as it lies between their centres; at an end that of the edge,
+  /// turned on by the curvature at rest.
   void add_following_force(const Grid& grid, const Point<Space>& F, const Site& at,
                            const EndCurvature<Space>& K0 = {}) {
     check_edges(grid.edges());
@@ -129,7 +131,7 @@ struct Loads {
       following_forces.push_back({edge, vertex, part * Point<Space>(rotate(exp(turn), F))});
     };
     if (t == 0 && j > 0)
-      put(j - 1, j, 0.5), put(j, j, 0.5);
+      put(j - 1, j, grid.h(j) / (2 * grid.Δs(j))), put(j, j, grid.h(j - 1) / (2 * grid.Δs(j)));
     else if (t == 0)
       put(0, 0, 1, -grid.h(0) / 2 * K0.start);
     else if (t == 1)
@@ -173,7 +175,7 @@ struct Loads {
     const Spin<Space> before = part(1 - t, t * apart), behind = part(t, (1 - t) * apart);
     if (t < 1) following_couples.push_back({j - 1, before});
     if (t > 0) following_couples.push_back({j, behind});
-    note_couple(grid, before, behind, at, j, true);
+    note_couple(grid, {j, M, before, behind, true}, at);
   }
   void add_following_couple(const Grid& grid, const Spin<Space>& M, double s,
                             const Spin<Space>& compliance = Spin<Space>::Zero()) {
@@ -183,6 +185,24 @@ struct Loads {
   void add_following_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
     check_along(grid, l.size(), "moment_per_length");
     for (int j = 0; j < grid.edges(); ++j) following_couples.push_back({j, grid.h(j) * l[j]});
+  }
+
+  /// Takes what acts at an inner vertex from the edges beside it, and keeps it as acting on a node:
+  /// the sum of what is dead, and of what follows the vertex, in its components.
+  std::pair<Spin<Space>, Spin<Space>> take_couples(int vertex) {
+    Spin<Space> dead = Spin<Space>::Zero(), following = dead;
+    for (auto& c : vertex_couples) {
+      if (c.vertex != vertex || c.on_node) continue;
+      c.on_node = true;
+      (c.follows ? following : dead) += c.couple;
+      for (const auto& [edge, part] :
+           {std::pair(vertex - 1, c.before), std::pair(vertex, c.behind)})
+        if (c.follows)
+          drop_following(edge, part);
+        else
+          couple[edge] -= part;
+    }
+    return {dead, following};
   }
 
   /// Force per length f on each edge: half of it goes to either end of the edge.
@@ -306,15 +326,20 @@ struct Loads {
             following_end_couple.transpose());
   }
 
+  void drop_following(int edge, const Spin<Space>& part) {
+    const auto is = [&](const auto& c) { return c.edge == edge && c.couple == part; };
+    const auto found = std::ranges::find_if(following_couples, is);
+    if (found != following_couples.end()) following_couples.erase(found);
+  }
+
   void note_force(const Site& at) {
     if (const int j = at.vertex(); j >= 0) pushed.push_back(j);
   }
 
-  /// Keeps a couple, shared by the edges j - 1 and j, if the vertex between them is its place.
-  void note_couple(const Grid& grid, const Spin<Space>& before, const Spin<Space>& behind,
-                   const Site& at, int j, bool follows) {
-    if (j == 0 || j == grid.edges() || at.vertex() != j) return;
-    vertex_couples.push_back({j, before, behind, follows});
+  /// Keeps a couple, shared by the edges beside its vertex, if that is its place.
+  void note_couple(const Grid& grid, const VertexCouple<Space>& shared, const Site& at) {
+    const int j = shared.vertex;
+    if (j > 0 && j < grid.edges() && at.vertex() == j) vertex_couples.push_back(shared);
   }
 
   /// The first edge whose centre is behind the place, and how far on the way to it from the centre

@@ -20,7 +20,10 @@ class NetworkLoads {
                  !loads.following_end_couple.isZero(0);
       couples_ = couples_ || loads.has_couples() || !loads.start_couple.isZero(0);
     }
-    for (const auto& node : net_.nodes) couples_ = couples_ || !node.moment.isZero(0);
+    for (const auto& node : net_.nodes) {
+      couples_ = couples_ || !node.moment.isZero(0);
+      follows_ = follows_ || !node.following_moment.isZero(0);
+    }
     load(1);
   }
 
@@ -113,8 +116,11 @@ class NetworkLoads {
     edge_couples_.clear();
     following_couples_.clear();
     node_moment_.clear();
-    node_following_.assign(net_.nodes.size(), Spin<Space>::Zero());
-    for (const auto& node : net_.nodes) node_moment_.push_back(part_ * node.moment);
+    node_following_.clear();
+    for (const auto& node : net_.nodes) {
+      node_moment_.push_back(part_ * node.moment);
+      node_following_.push_back(part_ * node.following_moment);
+    }
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
       const auto& loads = net_.loads[rod];
       const int n = net_.rods[rod].edges();

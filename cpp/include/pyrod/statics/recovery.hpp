@@ -105,6 +105,10 @@ class Recovery {
         loads.total_couple() + rotate_spin(curve.end_frame, loads.following_end_couple);
     for (const auto& c : loads.following_couples)
       sum += rotate_spin(curve.frames[c.edge], c.couple);
+    for (const auto& a : layout_.attached(rod))
+      for (const auto& c : loads.vertex_couples)
+        if (c.on_node && c.vertex == a.vertex)
+          sum += c.follows ? rotate_spin(held(a), c.couple) : c.couple;
     return sum;
   }
 
@@ -207,7 +211,8 @@ class Recovery {
           sum += now_.sections[layout_.edge(span.rod, span.first)];
       }
       out_.nodes[v].reaction_force = -sum;
-      out_.nodes[v].reaction_moment = -net_.nodes[v].moment;
+      out_.nodes[v].reaction_moment = -(
+          net_.nodes[v].moment + rotate_spin(out_.nodes[v].frame, net_.nodes[v].following_moment));
     }
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       for (const auto& a : layout_.attached(rod))

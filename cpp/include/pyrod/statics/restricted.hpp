@@ -84,9 +84,11 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   out.pushed = loads.pushed;
   for (const auto& c : loads.vertex_couples)
     out.vertex_couples.push_back(
-        c.follows ? VertexCouple<Space>{c.vertex, about_normal<Space>(c.before),
-                                        about_normal<Space>(c.behind), true}
-                  : VertexCouple<Space>{c.vertex, spin(c.before), spin(c.behind), false});
+        c.follows
+            ? VertexCouple<Space>{c.vertex, about_normal<Space>(c.couple),
+                                  about_normal<Space>(c.before), about_normal<Space>(c.behind),
+                                  true}
+            : VertexCouple<Space>{c.vertex, spin(c.couple), spin(c.before), spin(c.behind), false});
   return out;
 }
 

@@ -27,6 +27,7 @@ class Spans {
     net_.check_places();
     add_free_ends();
     drop_idle_frames();
+    put_couples_on_nodes();
     cut_into_spans();
     check_reach();
   }
@@ -109,6 +110,18 @@ class Spans {
     has_frame_.assign(net_.nodes.size(), false);
     for (const auto& on : attached_)
       for (const auto& a : on) has_frame_[a.node] = has_frame_[a.node] || a.rigid;
+  }
+
+  /// A moment at a vertex that is fixed to the frame of a node acts on that: the halves of the cell
+  /// beside it end there.
+  void put_couples_on_nodes() {
+    for (const auto& on : attached_)
+      for (const auto& a : on) {
+        if (!a.rigid || a.hinge) continue;
+        const auto [dead, following] = net_.loads[a.rod].take_couples(a.vertex);
+        net_.nodes[a.node].moment += dead;
+        net_.nodes[a.node].following_moment += rotate_spin(a.relative, following);
+      }
   }
 
   void cut_into_spans() {

@@ -82,7 +82,7 @@ class Vertices {
     const bool jumps = std::ranges::binary_search(rod_.jumps, j, {}, &Jump<Space>::vertex);
     bool couples = false;
     for (const auto& c : loads_.vertex_couples) {
-      if (c.vertex != j) continue;
+      if (c.vertex != j || c.on_node) continue;
       out.moment += c.follows ? rotate_spin(s.curve.frames[j - 1], c.before) : c.before;
       s.moment[J] -= c.follows ? rotate_spin(s.curve.frames[j], c.behind) : c.behind;
       couples = true;
