@@ -7,6 +7,7 @@
 /// measured by the augmented Lagrangian with the new multipliers, or by the next simplified step.
 #pragma once
 
+#include <pyrod/solve/anchor.hpp>
 #include <pyrod/solve/mode.hpp>
 #include <pyrod/solve/newton.hpp>
 
@@ -46,10 +47,13 @@ class SaddleNewton {
   void set(const Options& options) { options_ = options; }
 
   /// `first`: the Hessian of the first step. `estimate`: the multipliers of `start` mean nothing,
-  /// and those that come nearest to balancing it are taken first.
-  Result<State> solve(State start, Curvature first = Curvature::convex, bool estimate = false) {
+  /// and those that come nearest to balancing it are taken first. `anchored`: see
+  /// `Anchor`.
+  Result<State> solve(State start, Curvature first = Curvature::convex, bool estimate = false,
+                      bool anchored = false) {
     x_ = std::move(start);
     curvature_ = first;
+    anchor_.drop(anchored, δ_.size());
     Result<State> result;
     result.record.reserve(std::size_t(std::min(options_.max_iterations, 64)));
     linearise();
@@ -151,13 +155,14 @@ class SaddleNewton {
       Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
       const bool exact = curvature_ == Curvature::exact;
-      const bool tiny = exact && !has_shift(now) && now.step <= options_.tolerance && met() &&
-                        settled(now) && accurate();
+      const bool tiny = exact && !has_shift(now) && !anchor_.holds() &&
+                        now.step <= options_.tolerance && met() && settled(now) && accurate();
       // where a mode is soft, steps still improve on a residual that could be rounding
       const bool at_rounding = exact && rounded();
       const bool last = tiny || (at_rounding && now.step > before / 2);
       const bool found = last && !tiny ? true : search(now, tiny) || at_rounding;
       before = now.step;
+      if (now.fraction == 1) anchor_.weaken(now.step);
       result.record.push_back(now);
       const bool go_on = !trace_ || trace_(now);
       if (last && (closed() || reopened++ == 2)) return Status::converged;
@@ -172,7 +177,8 @@ class SaddleNewton {
 
   /// δ, of which the primal part may be cut and the multipliers are always taken whole.
   bool find_step(Iteration& now) {
-    factorise(0, now);
+    factorise(anchor_.weight(), now);
+    now.shift = 0;
     const bool potential = problem_.conservative();
     if (std::isfinite(now.step) && curvature_ == Curvature::exact &&
         (!potential || falls_short(now)))
@@ -200,7 +206,7 @@ class SaddleNewton {
   /// The step that leaves none.
   void correct_step(Iteration& now) {
     if (problem_.conservative())
-      trial_ = -here_.gradient, factor_.correct(trial_, δ_);
+      trial_ = -pull(), factor_.correct(trial_, δ_);
     else
       correct(x_, δ_);
     split_step();
@@ -220,11 +226,13 @@ class SaddleNewton {
     now.shift = σ * problem_.unit_energy();
     now.step = std::numeric_limits<double>::infinity();
     if (factor_.broken()) return;
-    factor_.solve(here_.gradient, δ_);
+    factor_.solve(pull(), δ_);
     δ_ = -δ_;
     split_step();
     if (δ_.allFinite()) now.step = largest(primal_);
   }
+
+  const Vector& pull() { return anchor_.pull(here_.gradient, factor_.stiffness()); }
 
   /// Whether the step does what the system asks of it. On the constraints by themselves, too: where
   /// they cannot be met, the multipliers grow until beside them no gap counts.
@@ -306,6 +314,7 @@ class SaddleNewton {
     const Merit before = downhill() && !tiny ? merit() : Merit{0, 0, 0};
     const double magnitude = here_.magnitude;
     const double length = primal_.norm();
+    anchor_.leave();
     std::swap(x_, from_);
     now.fraction = curvature_ == Curvature::exact ? std::min(1., options_.trust / now.step) : 1;
     for (; now.fraction > 1e-6; now.fraction /= 2) {
@@ -314,6 +323,7 @@ class SaddleNewton {
       multipliers_.copy(δ_, trial_);
       problem_.move(from_, trial_, x_);
       linearise();
+      anchor_.reach(now.fraction, primal_);
       if (tiny) return true;
       if (!std::isfinite(here_.energy)) continue;
       const double rounding = 1e-13 * (magnitude + here_.magnitude);
@@ -324,6 +334,7 @@ class SaddleNewton {
     }
     std::swap(x_, from_);
     linearise();
+    anchor_.go_back();
     return false;
   }
 
@@ -336,7 +347,7 @@ class SaddleNewton {
   /// The Newton step at the new state, measured with the old matrix, is shorter.
   bool contracts(const Iteration& now, double length) {
     if (!here_.gradient.allFinite()) return false;
-    factor_.solve(here_.gradient, trial_);
+    factor_.solve(pull(), trial_);
     if (now.curvature == Curvature::exact && !problem_.conservative()) correct(from_, trial_);
     multipliers_.set(0, trial_);
     return trial_.norm() <= (1 - now.fraction / 4) * length;
@@ -354,6 +365,7 @@ class SaddleNewton {
   Vector δ_, primal_, dual_;  ///< the step, without the multipliers, and of these alone
   Vector trial_;
   Vector sizes_, rounding_;  ///< of the multipliers; of the gradient
+  Anchor anchor_;
   bool rounding_known_ = false;
   Curvature curvature_ = Curvature::convex;
 };

@@ -26,6 +26,7 @@ class NetworkLevels {
   SceneSolution solve(int level, bool from_below, const std::optional<NetworkStart>& start,
                       const Options& options, NetworkOptions more, const Trace& trace) {
     more.rounding = true;
+    more.anchored = from_below && neutral_;
     const auto [network, plane] = source_(level);
     check(network, level);
     begin(level, from_below, start);
@@ -37,6 +38,7 @@ class NetworkLevels {
       out.rods[i] = seen(out.rods[i], 1 << level);
     }
     nodes_ = out.nodes;
+    neutral_ = out.neutral;
     if (!out.mode.empty()) out.mode = thinned(out.mode, 1 << level);
     return out;
   }
@@ -115,6 +117,7 @@ class NetworkLevels {
   std::vector<int> edges_, attached_;  ///< of rods, and vertices of attachments, on level 0
   std::vector<NodeSolution<Spatial>> nodes_;
   std::optional<NetworkStart> given_, start_;
+  bool neutral_ = false;  ///< the level below
 };
 
 }  // namespace pyrod

@@ -38,6 +38,7 @@ struct NetworkOptions {
   bool stable = true;       ///< look for a minimum: leave saddles along their unstable modes
   bool eigenvalue = false;  ///< find the lowest eigenvalue at the solution
   bool rounding = false;    ///< tell what rounding may do
+  bool anchored = false;    ///< of equilibria of equal energy find the one nearest to the start
 };
 
 template <class Space>
@@ -133,7 +134,7 @@ class NetworkSolver {
                 bool resort, bool estimate = false) {
     Problem problem(layout);
     SaddleNewton<Problem> newton(problem, options_, trace_, more_.stable);
-    keep(newton.solve(start, first, estimate));
+    keep(newton.solve(start, first, estimate, estimate && more_.anchored));
     if (out_.status != Status::interrupted && cannot_hold(layout))
       out_.status = Status::taut;
     else if (resort && !converged() && out_.status != Status::interrupted)
