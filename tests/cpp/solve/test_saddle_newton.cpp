@@ -83,6 +83,38 @@ TEST_CASE("near a solution on a curved constraint each step is the square of the
     }
 }
 
+TEST_CASE("of equilibria that go over into each other the one nearest to the anchor is found") {
+  // an ellipse of minima: g = x²/4 + y² − 1 vanishes there, the energy is g²/2
+  const auto g = [](const Vector& x) { return x[0] * x[0] / 4 + x[1] * x[1] - 1; };
+  const auto normal = [](const Vector& x) -> Vector { return Vec2(x[0] / 2, 2 * x[1]); };
+  const ConstrainedProblem valley = {2,
+                                     0,
+                                     [=](const Vector& x) { return g(x) * g(x) / 2; },
+                                     [=](const Vector& x) -> Vector { return g(x) * normal(x); },
+                                     [=](const Vector& x) -> Dense {
+                                       const Vector n = normal(x);
+                                       return Dense(n * n.transpose()) +
+                                              g(x) * Dense(Vec2(0.5, 2).asDiagonal());
+                                     },
+                                     [](const Vector&) -> Vector { return Vector::Zero(0); },
+                                     [](const Vector&) -> Dense { return Dense::Zero(0, 2); }};
+  for (const double turn : {0.3, 0.9, 1.4, 2.5, 4.0})
+    for (const double away : {0.95, 1.1}) {
+      CAPTURE(turn);
+      CAPTURE(away);
+      const Vector start = away * Vec2(2 * std::cos(turn), std::sin(turn));
+      const auto aside = [&](bool anchored) {
+        const auto result = SaddleNewton<ConstrainedProblem>(valley).solve(start, Curvature::exact,
+                                                                           false, anchored);
+        REQUIRE(result.converged());
+        const Vector moved = result.state - start, n = normal(result.state);
+        return std::abs(moved[0] * n[1] - moved[1] * n[0]);
+      };
+      CHECK(aside(true) < 1e-5);
+      CHECK(aside(false) > 1e-4);  // by chance
+    }
+}
+
 TEST_CASE("the index counts the falling directions on the constraints, not those of the matrix") {
   Random random(3);
   int saddles = 0, hidden = 0;
