@@ -10,7 +10,7 @@
 
 namespace pyrod {
 
-/// At every local maximum among the points from `first` to `last` a polynomial through its
+/// At every high local maximum among the points from `first` to `last` a polynomial through its
 /// neighbours is searched, if a parabola may rise above what was found so far.
 template <class Values>
 class Peak {
@@ -20,12 +20,14 @@ class Peak {
       : s_(s), y_(values), first_(first), last_(last) {}
 
   double highest() const {
-    double best = std::max(y_(first_), y_(last_));
+    double best = y_(last_);
+    for (int j = first_; j < last_; ++j) best = std::max(best, y_(j));
+    if (last_ - first_ < 2) return best;
+    const double high = best - 0.75 * std::abs(best);  // no peak beside lower points tops that
     for (int j = first_; j <= last_; ++j) {
       const double y = y_(j);
-      if ((j > first_ && y_(j - 1) > y) || (j < last_ && y_(j + 1) > y)) continue;
-      best = std::max(best, y);
-      if (last_ - first_ >= 2) best = std::max(best, near(j, best));
+      if (y < high || (j > first_ && y_(j - 1) > y) || (j < last_ && y_(j + 1) > y)) continue;
+      best = std::max(best, near(j, best));
     }
     return best;
   }

@@ -84,7 +84,7 @@ class NetworkEquilibrium : public NetworkSpans<Space> {
   /// span's reach is the sum of its edges, whose errors add up at random.
   void rounding(const State& x, Vector& out) const {
     constexpr double ε = 16 * std::numeric_limits<double>::epsilon();
-    out.setZero(weights_.size());
+    out.resize(weights_.size());
     Acting changed;
     const Acting& now = acting(x, changed);
     double most = 0;
