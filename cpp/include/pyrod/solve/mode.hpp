@@ -45,6 +45,30 @@ inline Mode inverse_iteration(ShiftedFactor& factor, const Vector& weights, doub
   return mode;
 }
 
+/// The lowest eigenvalue λ of K v = λ diag(weights) v on the constraints, and its mode. By inverse
+/// iteration behind a shift, from `unit` on, at which the inertia says that no eigenvalue is left
+/// below; the shift is halved towards it.
+inline Mode lowest_mode(ShiftedFactor& factor, const Vector& weights, double unit) {
+  const auto unstable_behind = [&](double λ) {
+    factor.factorise(λ, weights);
+    return factor.index() > 0;
+  };
+  double above = 0;
+  factor.factorise(0, weights);
+  for (int i = 1; factor.broken() && i < 10; ++i)  // a pivot that is zero to the last bit
+    factor.factorise(above = 1e-7 * i * unit, weights);
+  if (factor.index() > 0) {
+    double below = 0;
+    for (above = unit; unstable_behind(above); above *= 4) below = above;
+    for (int i = 0; i < 12; ++i) {
+      const double middle = (below + above) / 2;
+      (unstable_behind(middle) ? below : above) = middle;
+    }
+    factor.factorise(above, weights);
+  }
+  return inverse_iteration(factor, weights, above, 100, above > 0);
+}
+
 /// The number of eigenvalues of K v = λ diag(stiffness) v on the constraints below −`zero`. Pivots
 /// count those far from zero; those within `near`, which a shift or rounding might move to the
 /// other side, are computed: Rayleigh quotients of K itself, in the space of their modes.

@@ -66,25 +66,8 @@ class SaddleNewton {
     return result;
   }
 
-  /// The lowest eigenvalue λ of K v = λ M v on the constraints, M the weights, and its mode, at
-  /// the state that was solved for last. By inverse iteration behind a shift at which the inertia
-  /// says that no eigenvalue is left below; the shift is halved towards it.
-  Mode lowest_mode() {
-    double above = 0;
-    factor_.factorise(0, weights_);
-    for (int i = 1; factor_.broken() && i < 10; ++i)  // a pivot that is zero to the last bit
-      factor_.factorise(above = 1e-7 * i * problem_.unit_energy(), weights_);
-    if (factor_.index() > 0) {
-      double below = 0;
-      for (above = problem_.unit_energy(); unstable_behind(above); above *= 4) below = above;
-      for (int i = 0; i < 12; ++i) {
-        const double middle = (below + above) / 2;
-        (unstable_behind(middle) ? below : above) = middle;
-      }
-      factor_.factorise(above, weights_);
-    }
-    return inverse_iteration(factor_, weights_, above, 100, above > 0);
-  }
+  /// The lowest mode, weighed by the weights, at the state that was solved for last.
+  Mode lowest_mode() { return pyrod::lowest_mode(factor_, weights_, problem_.unit_energy()); }
 
   /// The softest mode at the state that was solved for last, to first sight: two inverse iterations
   /// bring it out if it is soft, one without stiffness with the eigenvalue of the shift. Its
@@ -118,7 +101,6 @@ class SaddleNewton {
     if (!factor_.broken() && factor_.index() == 0) return 0;
     return confirmed_index(factor_);
   }
-  bool unstable_behind(double λ) { return factor_.factorise(λ, weights_), factor_.index() > 0; }
   double residual() const { return largest(here_.gradient); }
   static double largest(const Vector& v) { return v.template lpNorm<Eigen::Infinity>(); }
 

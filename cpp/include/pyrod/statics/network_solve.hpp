@@ -4,11 +4,11 @@
 
 #include <pyrod/solve/homotopy.hpp>
 #include <pyrod/solve/saddle_newton.hpp>
+#include <pyrod/statics/false_shapes.hpp>
 #include <pyrod/statics/levels.hpp>
 #include <pyrod/statics/recovery.hpp>
-#include <pyrod/statics/rounding.hpp>
-#include <pyrod/statics/softness.hpp>
 #include <pyrod/statics/start.hpp>
+#include <pyrod/statics/uncertainty.hpp>
 
 #include <memory>
 
@@ -135,7 +135,7 @@ class NetworkSolver {
     Problem problem(layout);
     SaddleNewton<Problem> newton(problem, options_, trace_, more_.stable);
     keep(newton.solve(start, first, estimate, estimate && more_.anchored));
-    if (out_.status != Status::interrupted && cannot_hold(layout))
+    if (out_.status != Status::interrupted && cannot_hold(layout, out_.state, converged()))
       out_.status = Status::taut;
     else if (resort && !converged() && out_.status != Status::interrupted)
       bring_on_loads(problem, newton, start);
@@ -150,52 +150,16 @@ class NetworkSolver {
     out_.multipliers = int((problem.weights().array() == 0).count());
     out_.conservative = problem.conservative();
     if (&layout != fine_.get() || !converged()) return;
-    if (more_.rounding) out_.rounding = rounding(problem, newton);
-    if (out_.conservative) look_at_modes(problem, newton);
+    const Uncertainty<Space> open(problem);
+    if (more_.rounding && open.feels_rounding())
+      out_.rounding = open.rounding(newton.rounding_step());
+    if (out_.conservative) look_at_modes(problem, open, newton);
   }
 
-  /// Nothing where no span gives way along itself: its gaps are closed by bending, which is soft.
-  Rounding rounding(const Problem& problem, SaddleNewton<Problem>& newton) const {
-    const auto& rods = fine_->network().rods;
-    const bool gives = std::any_of(rods.begin(), rods.end(), [](const auto& rod) {
-      return !rod.stretching.back().array().isInf().all();
-    });
-    if (!gives) return {};
-    const Vector& step = newton.rounding_step();
-    Rounding out;
-    out.force = largest_force(problem, step);
-    for_each_cell(problem, step, [&](const auto& change, int rod, int j) {
-      const auto& r = fine_->network().rods[rod];
-      out.moment = std::max(out.moment, r.bending[j].cwiseProduct(change).norm() / r.grid.Δs(j));
-    });
-    return out;
-  }
-
-  /// Calls see(change of the turn, rod, vertex) for the cells inside all rods.
-  template <class See>
-  void for_each_cell(const Problem& problem, const Vector& step, const See& see) const {
-    const auto turn = [&](int rod, int j) -> Spin<Space> {
-      return step.template segment<Space::spin>(problem.first_row(fine_->edge(rod, j)));
-    };
-    for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod)
-      for (int j = 1; j < fine_->network().rods[rod].edges(); ++j)
-        see(Spin<Space>(turn(rod, j) - turn(rod, j - 1)), rod, j);
-  }
-
-  /// Of the section forces that a step of the multipliers adds.
-  double largest_force(const Problem& problem, const Vector& step) const {
-    double out = 0;
-    for (const auto& span : fine_->spans())
-      if (span.block >= 0)
-        out = std::max(
-            out,
-            (span.open * step.segment(problem.first_row_of(span.block), span.open.cols())).norm());
-    return out;
-  }
-
-  void look_at_modes(const Problem& problem, SaddleNewton<Problem>& newton) {
+  void look_at_modes(const Problem& problem, const Uncertainty<Space>& open,
+                     SaddleNewton<Problem>& newton) {
     auto mode = newton.soft_mode();
-    out_.softness = mode ? softness(problem, *mode) : Softness{};
+    out_.softness = mode ? open.softness(out_.state, *mode) : Softness{};
     out_.neutral = out_.softness.neutral();
     if (!out_.neutral) mode.reset();
     if (more_.eigenvalue) {
@@ -205,25 +169,6 @@ class NetworkSolver {
     out_.mode.clear();
     for (int j = 0; mode && j < fine_->edges(); ++j)
       out_.mode.push_back(mode->shape.template segment<Space::spin>(problem.first_row(j)));
-  }
-
-  /// Rounding leaves moments in the cells of an eighth of what the rows allow for, at random, which
-  /// push along the mode by what it turns the cells.
-  Softness softness(const Problem& problem, const Mode& mode) const {
-    Softness out{mode.eigenvalue};
-    Vector rounding;
-    problem.rounding(out_.state, rounding);
-    double squares = 0;
-    for_each_cell(problem, mode.shape, [&](const auto& change, int rod, int j) {
-      const double row = rounding[problem.first_row(fine_->edge(rod, j))];
-      squares += std::pow(change.norm() * row / 8, 2);
-      out.bend = std::max(out.bend, change.norm() / fine_->network().rods[rod].grid.Δs(j));
-    });
-    out.push = largest_force(problem, mode.multipliers);
-    const double stiffness =
-        std::abs(mode.eigenvalue) * mode.shape.cwiseAbs2().dot(problem.stiffness());
-    out.drift = std::sqrt(squares) / stiffness;
-    return out;
   }
 
   void keep(Result<NetworkState<Space>>&& result) {
@@ -292,45 +237,6 @@ class NetworkSolver {
       out_.record.insert(out_.record.end(), result.record.begin(), result.record.end());
     }
     newton.set(options_);
-    return false;
-  }
-
-  /// Takes out loops that lie in one cell: a shape whose neighbouring edges turn by more than half
-  /// a turn means nothing, unless it was given. Whether there were any.
-  static bool untie(const Layout<Space>& layout, NetworkState<Space>& x) {
-    bool found = false;
-    for (int rod = 0; rod < int(layout.network().rods.size()); ++rod)
-      for (int j = 1; j < layout.network().rods[rod].edges(); ++j) {
-        const auto& before = x.frames[layout.edge(rod, j - 1)];
-        auto& frame = x.frames[layout.edge(rod, j)];
-        const auto W = before.conjugate() * frame;
-        if (is_principal(W)) continue;
-        frame = before * principal(W);
-        found = true;
-      }
-    return found;
-  }
-
-  /// Whether a span that cannot stretch is as long as its ends, which are held, are apart, and no
-  /// force was found in it, or one beyond all that acts.
-  bool cannot_hold(const Layout<Space>& layout) const {
-    const auto& net = layout.network();
-    double load = 0;
-    for (const auto& node : net.nodes) load += node.force.norm();
-    for (const auto& loads : net.loads)
-      for (const auto& F : loads.force) load += F.norm();
-    for (int p = 0; p < int(layout.spans().size()); ++p) {
-      const auto& span = layout.spans()[p];
-      const double most = 1e4 * (load + layout.unit_force(p));
-      if (converged() && !(out_.state.forces[p].norm() > most)) continue;
-      const auto &a = net.nodes[span.start], &b = net.nodes[span.end];
-      if (a.free.cols() > 0 || b.free.cols() > 0) continue;
-      const auto& rod = net.rods[span.rod];
-      double length = 0, give = 0;
-      for (int j = span.first; j < span.last; ++j)
-        length += rod.grid.h(j), give += 1 / rod.stretching[j][Space::dim - 1];
-      if (give == 0 && (b.position - a.position).norm() > length * (1 - 1e-9)) return true;
-    }
     return false;
   }
 
