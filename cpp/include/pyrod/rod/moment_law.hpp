@@ -31,7 +31,7 @@ Spin<Space> turn_under_moment(const Spin<Space>& M, const Spin<Space>& C, const 
       const Mat3 T = dlog.T();
       Mat3 slope = T * k.asDiagonal();
       slope += dlog.N(m) - skew(m) / 2;
-      const Vec3 δ = slope.partialPivLu().solve(M - T * m);
+      const Vec3 δ = slope.inverse() * (M - T * m);
       u += δ;
       if (!(δ.norm() > 1e-15 * (1 + u.norm()))) break;
     }

@@ -8,7 +8,8 @@
 #include <pyrod/statics/spans.hpp>
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include <cmath>
 
 namespace pyrod {
 
@@ -18,15 +19,27 @@ using VertexForces = std::vector<std::vector<Point<Space>>>;
 
 namespace detail {
 
-/// An orthonormal basis of the vectors of span(A) that `rows` maps to zero: A N with rows A N = 0.
+/// The columns of A turned so that the first is along A d, without that: Householder's reflection.
 template <int N>
-Directions<N> kernel_within(const Directions<N>& A, const Eigen::MatrixXd& rows) {
-  if (A.cols() == 0 || rows.rows() == 0) return A;
-  const Eigen::MatrixXd M = rows * A;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(M, Eigen::ComputeFullV);
-  Eigen::Index rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > 1e-9) ++rank;
-  return A * svd.matrixV().rightCols(A.cols() - rank);
+Directions<N> across(const Directions<N>& A, const Eigen::VectorXd& d) {
+  Eigen::VectorXd v = d.normalized();
+  v[0] += std::copysign(1., v[0]);
+  const Eigen::VectorXd Av = A * v;
+  const auto rest = v.size() - 1;
+  return A.rightCols(rest) - 2 / v.squaredNorm() * Av * v.tail(rest).transpose();
+}
+
+/// An orthonormal basis of the vectors of span(A) that `rows` maps to zero: one after the other,
+/// the direction is left out that a row tells most of.
+template <int N>
+Directions<N> kernel_within(Directions<N> A, const Eigen::MatrixXd& rows) {
+  while (A.cols() > 0 && rows.rows() > 0) {
+    const Eigen::MatrixXd M = rows * A;
+    Eigen::Index most = 0;
+    if (!(M.rowwise().norm().maxCoeff(&most) > 1e-9)) break;
+    A = across<N>(A, M.row(most).transpose());
+  }
+  return A;
 }
 
 /// The directions of span(A) across those of span(B).
