@@ -59,7 +59,7 @@ void row(int n) {
   Loads<Space> loads(n);
   loads.add_force(scene_rod.grid, restrict_point<Space>({5, 0, 1}), 1);
   const auto identity = Space::Rotation::Identity();
-  const Equilibrium<Space, Model> problem(scene_rod, identity, loads);
+  const CantileverProblem<Space, Model> problem(scene_rod, identity, loads);
   const Cantilever<Space, Model> scene(scene_rod, Point<Space>::Zero(), identity, loads);
 
   auto here = problem.linearisation();
@@ -85,7 +85,7 @@ void row(int n) {
   const double iteration = scale * seconds([&] { step(Curvature::exact); });
   const double bare = scale * bare_cholmod(here.hessian, here.gradient);
 
-  Newton<Equilibrium<Space, Model>> newton(problem);
+  Newton<CantileverProblem<Space, Model>> newton(problem);
   const auto start = scene.start().first;
   int iterations = 0;
   const double newton_time = seconds([&] { iterations = newton.solve(start).iterations(); }, 3);

@@ -56,7 +56,7 @@ void row(int k) {
   const double all = seconds(
       [&] { result = NetworkSolver<Spatial>(net, Options{}, NetworkOptions{}, {}).solve(); }, 3);
   const Layout<Spatial> layout(net);
-  const NetworkEquilibrium<Spatial> problem(layout);
+  const NetworkProblem<Spatial> problem(layout);
   auto here = problem.linearisation();
   auto moved = result.state;
   problem.linearise(result.state, Curvature::exact, here);

@@ -92,9 +92,9 @@ class Schur {
 /// A network at its equilibrium.
 struct Solved {
   Layout<Spatial> layout;
-  NetworkEquilibrium<Spatial> problem;
+  NetworkProblem<Spatial> problem;
   NetworkResult<Spatial> result;
-  LinearisationOf<NetworkEquilibrium<Spatial>> here;
+  LinearisationOf<NetworkProblem<Spatial>> here;
 
   explicit Solved(const Network<Spatial>& net)
       : layout(net), problem(layout), here(problem.linearisation()) {

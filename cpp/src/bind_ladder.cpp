@@ -104,7 +104,7 @@ std::unique_ptr<ReadyLadder> of_cantilever(const Rod<Spatial>& rod, const GridLo
                                            Dimension dimension, ModelKind model,
                                            const Array& position, const Array& frame,
                                            bool corners) {
-  const Clamp clamp{vector3(position, "position"), quaternion(frame, "frame")};
+  const Placement<Spatial> clamp{vector3(position, "position"), quaternion(frame, "frame")};
   LoadedLevel loaded;
   if (make)
     loaded = [source = Source(*make)](int level) {
@@ -127,7 +127,7 @@ std::unique_ptr<ReadyLadder> of_network(const Network<Spatial>& network, const A
                                         const Array& frame, const std::vector<GridLoads>& loads,
                                         const std::optional<py::function>& make,
                                         Dimension dimension, bool corners) {
-  const Clamp plane{vector3(origin, "origin"), quaternion(frame, "frame")};
+  const Placement<Spatial> plane{vector3(origin, "origin"), quaternion(frame, "frame")};
   PlacedLevel placed;
   if (make)
     placed = [source = Source(*make)](int level) {

@@ -31,7 +31,7 @@ Job network_job(const py::object& self, Dimension dimension, const Array& origin
                 const Array& frame, const std::optional<py::tuple>& start, const Options& options,
                 bool stable, bool eigenvalue) {
   const auto& net = self.cast<const Network<Spatial>&>();
-  const Clamp at{vector3(origin, "origin"), quaternion(frame, "frame")};
+  const Placement<Spatial> at{vector3(origin, "origin"), quaternion(frame, "frame")};
   const auto from = start_of(start);
   const NetworkOptions more{stable, eigenvalue};
   const auto work = [=, &net](const Trace& trace) -> Outcome {

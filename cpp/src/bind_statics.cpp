@@ -69,7 +69,7 @@ void bind_fields(py::module_& module, const char* name, const char* doc) {
 Job cantilever_job(const py::object& rod, Dimension dimension, ModelKind model,
                    const Array& position, const Array& frame, const py::object& loads,
                    const std::optional<py::tuple>& start, const Options& options) {
-  const Clamp clamp{vector3(position, "position"), quaternion(frame, "frame")};
+  const Placement<Spatial> clamp{vector3(position, "position"), quaternion(frame, "frame")};
   const auto& of = rod.cast<const Rod<Spatial>&>();
   const auto& under = loads.cast<const GridLoads&>().loads;
   const auto frames = start_frames(start, of.edges());

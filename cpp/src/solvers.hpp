@@ -16,7 +16,7 @@ using LoadedLevel = std::function<LoadedRod(int level)>;
 using PlacedLevel = std::function<PlacedNetwork(int level)>;
 
 template <class Space, class Model>
-Level cantilever_level(const LoadedLevel& loaded, const Clamp& clamp) {
+Level cantilever_level(const LoadedLevel& loaded, const Placement<Spatial>& clamp) {
   auto levels = std::make_shared<CantileverLevels<Space, Model>>(loaded, clamp);
   return [levels, clamp](int level, bool from_below, const std::optional<NetworkStart>& start,
                          const Options& options, const NetworkOptions&, const Trace& trace) {
@@ -37,15 +37,16 @@ Level network_level(const PlacedLevel& placed) {
 
 #define PYROD_NETWORK_SOLVERS(prefix, Space)                                                       \
   prefix template Level network_level<Space>(const PlacedLevel&);                                  \
-  prefix template NetworkRun<Space> run<Space>(const Network<Spatial>&, const Clamp&,              \
+  prefix template NetworkRun<Space> run<Space>(const Network<Spatial>&, const Placement<Spatial>&, \
                                                const std::optional<NetworkStart>&, const Options&, \
                                                const NetworkOptions&, const Trace&);
 
-#define PYROD_CANTILEVER_SOLVERS(prefix, Space, Model)                                          \
-  prefix template Level cantilever_level<Space, Model>(const LoadedLevel&, const Clamp&);       \
-  prefix template Solution<Spatial> solve<Space, Model>(                                        \
-      const Rod<Spatial>&, const Clamp&, const Loads<Spatial>&, const std::vector<Quaternion>&, \
-      const Options&, const Trace&);
+#define PYROD_CANTILEVER_SOLVERS(prefix, Space, Model)                             \
+  prefix template Level cantilever_level<Space, Model>(const LoadedLevel&,         \
+                                                       const Placement<Spatial>&); \
+  prefix template Solution<Spatial> solve<Space, Model>(                           \
+      const Rod<Spatial>&, const Placement<Spatial>&, const Loads<Spatial>&,       \
+      const std::vector<Quaternion>&, const Options&, const Trace&);
 
 PYROD_NETWORK_SOLVERS(extern, Planar)
 PYROD_NETWORK_SOLVERS(extern, Spatial)

@@ -2,7 +2,7 @@
 // The last resort: supports moved from where the rods are at rest to where they are.
 #include <pyrod/solve/homotopy.hpp>
 #include <pyrod/solve/saddle_newton.hpp>
-#include <pyrod/statics/network_equilibrium.hpp>
+#include <pyrod/statics/network_problem.hpp>
 #include <pyrod/statics/start.hpp>
 
 #include "support/models.hpp"
@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("at first all is at rest, at last all is where it is held", S
   const Layout<Space> layout(
       pulled<Space>(0.1 * random.vector<Space::dim>(), random.turn<Space>(0.4)));
   const Start<Space> shapes(layout);
-  const NetworkEquilibrium<Space> problem(layout);
+  const NetworkProblem<Space> problem(layout);
   const auto rest = shapes.at_rest();
   auto x = rest;
   shapes.move_supports(0, rest, x);
@@ -81,8 +81,8 @@ TEST_CASE("followed from rest, the rod arrives stable, with the turns that are p
   for (const int turns : {0, 1}) {
     const Layout<Spatial> layout(pulled<Spatial>({0.1, 0.05, -0.3}, {0.2, 0.1, 0.3}, turns));
     const Start<Spatial> shapes(layout);
-    const NetworkEquilibrium<Spatial> problem(layout);
-    SaddleNewton<NetworkEquilibrium<Spatial>> newton(problem);
+    const NetworkProblem<Spatial> problem(layout);
+    SaddleNewton<NetworkProblem<Spatial>> newton(problem);
     const auto rest = shapes.at_rest();
     const auto path = follow(
         newton, [&](double λ, NetworkState<Spatial>& x) { shapes.move_supports(λ, rest, x); },

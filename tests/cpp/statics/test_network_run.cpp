@@ -98,7 +98,7 @@ TEST_CASE("a plane network is a spatial one, wherever the plane lies") {
   REQUIRE(space.result.status == Status::converged);
   CHECK(space.result.index == -1);  // a moment fixed in space has a potential in the plane only
   CHECK(space.result.multipliers == 9);
-  const auto compare = [&](const NetworkRun<Planar>& plane, const Clamp& at) {
+  const auto compare = [&](const NetworkRun<Planar>& plane, const Placement<Spatial>& at) {
     REQUIRE(plane.result.status == Status::converged);
     CHECK(plane.result.index == 0);
     CHECK(plane.result.multipliers == 6);
@@ -121,7 +121,7 @@ TEST_CASE("a plane network is a spatial one, wherever the plane lies") {
   };
   compare(run_in<Planar>(s.net), {});
   Random random(1);
-  const Clamp at{random.vector<3>(), random.rotation<Spatial>()};
+  const Placement<Spatial> at{random.vector<3>(), random.rotation<Spatial>()};
   compare(run_in<Planar>(carried(s.net, at.position, at.frame), at), at);
 }
 

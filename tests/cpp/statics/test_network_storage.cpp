@@ -58,7 +58,7 @@ TEST_CASE_TEMPLATE("gradient and tangent of spans of any length", Space, EACH_SP
       CAPTURE(edges);
       CAPTURE(free);
       const Layout<Space> layout(held<Space>(random, edges, free).net);
-      const NetworkEquilibrium<Space> statics(layout);
+      const NetworkProblem<Space> statics(layout);
       const auto x = random_state(random, layout);
       auto here = statics.linearisation();
       statics.linearise(x, Curvature::exact, here);
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("a span reaches as far as the forces in all of its edges make
   for (const int edges : {1, 32, 33, 100}) {
     const auto net = held<Space>(random, edges, 0).net;
     const Layout<Space> layout(net);
-    const NetworkEquilibrium<Space> statics(layout);
+    const NetworkProblem<Space> statics(layout);
     const auto x = random_state(random, layout);
     auto here = statics.linearisation();
     statics.linearise(x, Curvature::exact, here);
@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("nothing is left of what the storage held before", Space, EAC
   Random random(2);
   for (const auto& net : {random_network<Space>(random, {true, true, true}), ring<Space>(random)}) {
     const Layout<Space> layout(net);
-    const NetworkEquilibrium<Space> statics(layout);
+    const NetworkProblem<Space> statics(layout);
     const auto x = random_state(random, layout);
     for (const Curvature kind : {Curvature::exact, Curvature::convex}) {
       auto fresh = statics.linearisation(), used = statics.linearisation();
@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("nothing is left of what the storage held before", Space, EAC
 TEST_CASE_TEMPLATE("once there is storage, networks allocate nothing", Space, EACH_SPACE) {
   Random random(3);
   const Layout<Space> layout(random_network<Space>(random, {true, false, true}));
-  const NetworkEquilibrium<Space> statics(layout);
+  const NetworkProblem<Space> statics(layout);
   const auto x = random_state(random, layout);
   auto here = statics.linearisation();
   auto y = x;
@@ -151,10 +151,10 @@ TEST_CASE_TEMPLATE("iterations behind the first allocate nothing", Space, EACH_S
   auto scene = held<Space>(random, 50, 1);
   for (auto& F : scene.net.loads[0].force) F *= 30;
   const Layout<Space> layout(scene.net);
-  const NetworkEquilibrium<Space> statics(layout);
+  const NetworkProblem<Space> statics(layout);
   std::vector<std::size_t> counts;
   counts.reserve(100);
-  SaddleNewton<NetworkEquilibrium<Space>> newton(statics, {}, [&](const Iteration&) {
+  SaddleNewton<NetworkProblem<Space>> newton(statics, {}, [&](const Iteration&) {
     Eigen::internal::set_is_malloc_allowed(false);
     counts.push_back(allocations());
     return true;

@@ -13,7 +13,7 @@ using namespace pyrod::test;
 namespace {
 
 template <class Case>
-using ProblemOf = Equilibrium<typename Case::Space, typename Case::Model>;
+using ProblemOf = CantileverProblem<typename Case::Space, typename Case::Model>;
 
 template <class Case>
 auto pool_of() -> auto& {

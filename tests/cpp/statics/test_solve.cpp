@@ -13,7 +13,7 @@ namespace {
 constexpr int n = 20;
 
 /// The spatial rod and loads that a planar scene stands for, in the frame of a clamp.
-Scene<Spatial> in_space(const Scene<Planar>& flat, const Clamp& clamp) {
+Scene<Spatial> in_space(const Scene<Planar>& flat, const Placement<Spatial>& clamp) {
   Scene<Spatial> out{{flat.rod.grid, {}, {}, {}}};
   for (const auto& C : flat.rod.bending) out.rod.bending.push_back(Vec3(1.4, C[0], 0.9));
   for (const auto& C : flat.rod.stretching) out.rod.stretching.push_back(Vec3(C[0], 33, C[1]));
@@ -26,7 +26,7 @@ Scene<Spatial> in_space(const Scene<Planar>& flat, const Clamp& clamp) {
   return out;
 }
 
-Clamp any_clamp() {
+Placement<Spatial> any_clamp() {
   Random random(1);
   return {random.vector<3>(), random.rotation<Spatial>()};
 }
@@ -42,7 +42,7 @@ constexpr ModelKind kind<ExtensibleKirchhoff> = ModelKind::extensible;
 
 TEST_CASE_TEMPLATE("a planar solution is put where the clamp is", Model, Cosserat,
                    ExtensibleKirchhoff, InextensibleKirchhoff) {
-  const Clamp clamp = any_clamp();
+  const Placement<Spatial> clamp = any_clamp();
   const auto flat = rich_scene<Planar>(n);
   const auto space = in_space(flat, clamp);
   const auto expected = solved<Planar, Model>(flat);
@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("a planar solution is put where the clamp is", Model, Cossera
 
 TEST_CASE_TEMPLATE("what happens in a plane is the same in space", Model, Cosserat,
                    ExtensibleKirchhoff, InextensibleKirchhoff) {
-  const Clamp clamp = any_clamp();
+  const Placement<Spatial> clamp = any_clamp();
   const auto scene = in_space(rich_scene<Planar>(n), clamp);
   const auto plane = solved(scene.rod, Dimension::planar, kind<Model>, clamp, scene.loads);
   const auto space = solved(scene.rod, Dimension::spatial, kind<Model>, clamp, scene.loads);
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("what happens in a plane is the same in space", Model, Cosser
 }
 
 TEST_CASE("a start near the solution is trusted") {
-  const Clamp clamp = any_clamp();
+  const Placement<Spatial> clamp = any_clamp();
   const auto scene = in_space(rich_scene<Planar>(n), clamp);
   for (const Dimension dimension : {Dimension::planar, Dimension::spatial}) {
     const auto first = solved(scene.rod, dimension, ModelKind::cosserat, clamp, scene.loads);
@@ -113,7 +113,7 @@ TEST_CASE("the three models are three") {
 }
 
 TEST_CASE("what leaves the plane is refused in the plane, and only there") {
-  const Clamp clamp = any_clamp();
+  const Placement<Spatial> clamp = any_clamp();
   const auto good = in_space(rich_scene<Planar>(n), clamp);
   const auto attempt = [&](const Scene<Spatial>& scene, Dimension dimension) {
     return refusal(

@@ -10,7 +10,7 @@ using namespace pyrod::test;
 namespace {
 
 constexpr int n = 32;
-const Clamp somewhere{{1, -2, 0.5}, exp(Vec3(0.3, -0.8, 0.4))};
+const Placement<Spatial> somewhere{{1, -2, 0.5}, exp(Vec3(0.3, -0.8, 0.4))};
 
 Scene<Spatial> rod_under(const std::function<void(Loads<Spatial>&, const Grid&)>& load) {
   auto scene = uniform_scene<Spatial>(n, Vec3(1, 1, 0.7), Vec3(1e4, 1e4, 1e4));

@@ -37,7 +37,7 @@ INSTANTIATE(Spatial, InextensibleKirchhoff)
 #undef INSTANTIATE
 
 Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
-                         const Clamp& clamp, const Loads<Spatial>& loads,
+                         const Placement<Spatial>& clamp, const Loads<Spatial>& loads,
                          const std::vector<Quaternion>& start, bool stable) {
   return solve(rod, dimension, model, clamp, loads, start, {}, {}, stable);
 }

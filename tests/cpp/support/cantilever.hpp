@@ -31,7 +31,7 @@ Solution<Space> solved(const Scene<Space>& scene, std::vector<typename Space::Ro
 
 /// pyrod::solve
 Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
-                         const Clamp& clamp, const Loads<Spatial>& loads,
+                         const Placement<Spatial>& clamp, const Loads<Spatial>& loads,
                          const std::vector<Quaternion>& start = {}, bool stable = true);
 
 /// Everything at once, in units of the length and of force EI/L²: stiffness and rest curvature vary

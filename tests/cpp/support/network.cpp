@@ -93,16 +93,16 @@ NetworkResult<Space> solved(const Network<Space>& net, const NetworkOptions& mor
 }
 
 template <class Space>
-NetworkRun<Space> run_in(const Network<Spatial>& net, const Clamp& at,
+NetworkRun<Space> run_in(const Network<Spatial>& net, const Placement<Spatial>& at,
                          const std::optional<NetworkStart>& start, const NetworkOptions& more) {
   return run<Space>(net, at, start, {}, more, {});
 }
 
-#define INSTANTIATE(Space)                                                           \
-  template Network<Space> random_network(Random&, const Acting&);                    \
-  template NetworkResult<Space> solved(const Network<Space>&, const NetworkOptions&, \
-                                       const Options&);                              \
-  template NetworkRun<Space> run_in(const Network<Spatial>&, const Clamp&,           \
+#define INSTANTIATE(Space)                                                              \
+  template Network<Space> random_network(Random&, const Acting&);                       \
+  template NetworkResult<Space> solved(const Network<Space>&, const NetworkOptions&,    \
+                                       const Options&);                                 \
+  template NetworkRun<Space> run_in(const Network<Spatial>&, const Placement<Spatial>&, \
                                     const std::optional<NetworkStart>&, const NetworkOptions&);
 INSTANTIATE(Planar)
 INSTANTIATE(Spatial)

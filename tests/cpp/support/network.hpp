@@ -99,17 +99,17 @@ NetworkResult<Space> solved(const Network<Space>& net, const NetworkOptions& mor
 
 /// Planar or spatial, in space.
 template <class Space>
-NetworkRun<Space> run_in(const Network<Spatial>& net, const Clamp& at = {},
+NetworkRun<Space> run_in(const Network<Spatial>& net, const Placement<Spatial>& at = {},
                          const std::optional<NetworkStart>& start = {},
                          const NetworkOptions& more = {});
 
 }  // namespace pyrod::test
 
 // Compiled once, in network.cpp.
-#define PYROD_TEST_RUN(prefix, Space)                                                            \
-  prefix template pyrod::NetworkRun<Space> pyrod::run<Space>(                                    \
-      const Network<Spatial>&, const Clamp&, const std::optional<NetworkStart>&, const Options&, \
-      const NetworkOptions&, const Trace&);
+#define PYROD_TEST_RUN(prefix, Space)                                                         \
+  prefix template pyrod::NetworkRun<Space> pyrod::run<Space>(                                 \
+      const Network<Spatial>&, const Placement<Spatial>&, const std::optional<NetworkStart>&, \
+      const Options&, const NetworkOptions&, const Trace&);
 namespace pyrod {
 PYROD_TEST_RUN(extern, Planar)
 PYROD_TEST_RUN(extern, Spatial)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pyrod/rod/rod.hpp>
-#include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/placement.hpp>
 #include <pyrod/statics/loads.hpp>
 
 #include <optional>
@@ -40,13 +40,6 @@ struct Attachment {
   std::optional<Spin<Space>>
       hinge{};            ///< axis, a unit vector in the components of the node's frame
   int hinge_number = -1;  ///< given by the layout
-};
-
-/// Where the start of a rod is at rest.
-template <class Space>
-struct Placement {
-  Point<Space> position = Point<Space>::Zero();
-  typename Space::Rotation frame = Space::Rotation::Identity();
 };
 
 /// Everything that a scene consists of. Ends of rods without an attachment are free.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pyrod/solve/homotopy.hpp>
+#include <pyrod/statics/cantilever_problem.hpp>
 #include <pyrod/statics/cantilever_shape.hpp>
-#include <pyrod/statics/equilibrium.hpp>
 
 namespace pyrod {
 
@@ -104,7 +104,7 @@ class Cantilever {
   }
 
  private:
-  using Problem = Equilibrium<Space, Model>;
+  using Problem = CantileverProblem<Space, Model>;
 
   Found bring_on_forces(Problem& problem, const std::vector<Iteration>& before,
                         const Options& options, const Trace& trace) const {

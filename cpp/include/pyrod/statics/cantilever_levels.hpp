@@ -25,7 +25,7 @@ class CantileverLevels {
   static constexpr int most_kept = 1 << 14;  ///< edges of a level that is kept
 
   /// `source` gives the rod of a level, whose edges are those of level 0 cut in 2ᵏ.
-  CantileverLevels(std::function<LoadedRod(int level)> source, const Clamp& clamp)
+  CantileverLevels(std::function<LoadedRod(int level)> source, const Placement<Spatial>& clamp)
       : source_(std::move(source)), clamp_(clamp) {}
 
   /// One level of a climb: from the level below if that was solved, else from `start`, frames on
@@ -82,7 +82,7 @@ class CantileverLevels {
   }
 
   std::function<LoadedRod(int)> source_;
-  Clamp clamp_;
+  Placement<Spatial> clamp_;
   std::vector<std::shared_ptr<const Scene>> kept_;
   Grid grid_ = Grid::uniform(1, 1);  ///< of the last level
   int edges_ = 0;                    ///< on level 0

@@ -5,7 +5,7 @@
 /// start on the finer grid from which Newton's method needs few steps.
 #pragma once
 
-#include <pyrod/statics/network_equilibrium.hpp>
+#include <pyrod/statics/network_problem.hpp>
 
 namespace pyrod {
 

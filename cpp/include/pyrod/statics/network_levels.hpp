@@ -11,7 +11,7 @@ namespace pyrod {
 /// A network on one level, and the plane it is in if its space is one.
 struct PlacedNetwork {
   Network<Spatial> network;
-  Clamp plane;
+  Placement<Spatial> plane;
 };
 
 template <class Space>

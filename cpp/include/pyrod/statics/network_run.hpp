@@ -13,7 +13,7 @@ namespace detail {
 
 /// The directions of span(A) that lie in the space, in the frame `at`.
 template <class Space>
-Directions<Space::dim> in_space(const Directions<3>& A, const Clamp& at) {
+Directions<Space::dim> in_space(const Directions<3>& A, const Placement<Spatial>& at) {
   if constexpr (Space::dim == 3) {
     return A;
   } else {
@@ -41,7 +41,7 @@ Directions<Space::spin> axes_in_space(const Directions<3>& turns) {
 }
 
 template <class Space>
-typename Space::Rotation frame_in_space(const Quaternion& q, const Clamp& at,
+typename Space::Rotation frame_in_space(const Quaternion& q, const Placement<Spatial>& at,
                                         std::string_view what) {
   if constexpr (Space::spin == 3) {
     return q;
@@ -54,7 +54,8 @@ typename Space::Rotation frame_in_space(const Quaternion& q, const Clamp& at,
 }
 
 template <class Space>
-Point<Space> point_in_space(const Vec3& r, const Clamp& at, double length, std::string_view what) {
+Point<Space> point_in_space(const Vec3& r, const Placement<Spatial>& at, double length,
+                            std::string_view what) {
   if constexpr (Space::dim == 3) {
     return r;
   } else {
@@ -80,7 +81,7 @@ inline void add_hinge(Attachment<Planar>& a, const Vec3& axis) {
 
 /// The network in the plane of `at`, or as it is. What leaves the plane is refused.
 template <class Space>
-Network<Space> restricted(const Network<Spatial>& net, const Clamp& at) {
+Network<Space> restricted(const Network<Spatial>& net, const Placement<Spatial>& at) {
   if constexpr (Space::dim == 3)
     net.check_places();  // the rest is looked at by the solver
   else
@@ -108,7 +109,7 @@ Network<Space> restricted(const Network<Spatial>& net, const Clamp& at) {
     v.torsion_spring = node.torsion_spring;
     out.nodes.push_back(v);
   }
-  const Clamp origin;
+  const Placement<Spatial> origin;
   for (const auto& a : net.attachments) {
     out.attachments.push_back({a.rod, a.vertex, a.node, a.rigid,
                                detail::frame_in_space<Space>(a.relative, origin, "joints"),
@@ -128,11 +129,11 @@ struct NetworkRun {
 /// Equilibrium of a network, in the plane of `at` or in space. `start`: a shape that is trusted to
 /// be near; none: see `Start`.
 template <class Space>
-NetworkRun<Space> run(const Network<Spatial>& net, const Clamp& at,
+NetworkRun<Space> run(const Network<Spatial>& net, const Placement<Spatial>& at,
                       const std::optional<NetworkStart>& start, const Options& options,
                       const NetworkOptions& more, const Trace& trace) {
   require_rotation(at.frame, "at.frame");
-  const Clamp here = Space::dim == 3 ? Clamp{} : at;
+  const Placement<Spatial> here = Space::dim == 3 ? Placement<Spatial>{} : at;
   NetworkSolver<Space> solver(restricted<Space>(net, at), options, more, trace);
   NetworkRun<Space> out;
   if (start) {

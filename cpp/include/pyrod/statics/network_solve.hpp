@@ -81,7 +81,7 @@ class NetworkSolver {
   }
 
  private:
-  using Problem = NetworkEquilibrium<Space>;
+  using Problem = NetworkProblem<Space>;
   static constexpr int coarsest = 16, refinement = 8;
 
   bool converged() const { return out_.status == Status::converged; }

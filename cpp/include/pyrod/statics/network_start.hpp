@@ -49,7 +49,7 @@ class StateNear {
  public:
   /// `here`: where the plane of the computation is. `nodes`: those that were given; the layout adds
   /// one at each free end.
-  StateNear(const Layout<Space>& layout, const Clamp& here, std::size_t nodes)
+  StateNear(const Layout<Space>& layout, const Placement<Spatial>& here, std::size_t nodes)
       : layout_(layout), here_(here), nodes_(nodes) {}
 
   NetworkState<Space> state(const NetworkStart& start) const {
@@ -176,7 +176,7 @@ class StateNear {
   }
 
   const Layout<Space>& layout_;
-  const Clamp& here_;
+  const Placement<Spatial>& here_;
   std::size_t nodes_;
 };
 

@@ -4,7 +4,7 @@
 
 #include <pyrod/rod/moment_law.hpp>
 #include <pyrod/statics/extremes.hpp>
-#include <pyrod/statics/network_equilibrium.hpp>
+#include <pyrod/statics/network_problem.hpp>
 #include <pyrod/statics/vertices.hpp>
 
 #include <map>
@@ -30,7 +30,7 @@ class Recovery {
  public:
   using Rotation = typename Space::Rotation;
 
-  Recovery(const NetworkEquilibrium<Space>& problem, const NetworkState<Space>& x)
+  Recovery(const NetworkProblem<Space>& problem, const NetworkState<Space>& x)
       : problem_(problem),
         layout_(problem.layout()),
         net_(layout_.network()),
@@ -255,11 +255,11 @@ class Recovery {
     s.largest = extremes.largest(s, 1);
   }
 
-  const NetworkEquilibrium<Space>& problem_;
+  const NetworkProblem<Space>& problem_;
   const Layout<Space>& layout_;
   const Network<Space>& net_;
   const NetworkState<Space>& x_;
-  typename NetworkEquilibrium<Space>::Forces now_;
+  typename NetworkProblem<Space>::Forces now_;
   NetworkSolution<Space> out_;
   std::map<std::pair<int, int>, Spin<Space>> before_;
 };

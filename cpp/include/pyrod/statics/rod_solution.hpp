@@ -4,16 +4,9 @@
 
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/embedding.hpp>
-#include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/placement.hpp>
 
 namespace pyrod {
-
-/// Where a planar computation lies in space: its origin, and the frame whose a1 and a3 span the
-/// plane. (Or the frame that a spatial computation was turned into.)
-struct Clamp {
-  Vec3 position = Vec3::Zero();
-  Quaternion frame = Quaternion::Identity();
-};
 
 /// What holds just before an inner vertex at which something acts, holds or jumps.
 template <class Space>
@@ -63,7 +56,7 @@ std::vector<Vector> lumped(const std::vector<Vector>& forces, int stride) {
 
 /// A solution in the frame of `at`, put where that is.
 template <class Space>
-RodSolution<Spatial> placed(const RodSolution<Space>& local, const Clamp& at) {
+RodSolution<Spatial> placed(const RodSolution<Space>& local, const Placement<Spatial>& at) {
   RodSolution<Spatial> out;
   const auto to_space = [&](const auto& from, auto& to, auto&& map) {
     to.reserve(from.size());

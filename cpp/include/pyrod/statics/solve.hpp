@@ -12,7 +12,7 @@
 namespace pyrod {
 
 template <class Space>
-Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
+Solution<Spatial> placed(const Solution<Space>& local, const Placement<Spatial>& clamp) {
   Solution<Spatial> out;
   static_cast<RodSolution<Spatial>&>(out) =
       placed(static_cast<const RodSolution<Space>&>(local), clamp);
@@ -28,9 +28,9 @@ Solution<Spatial> placed(const Solution<Space>& local, const Clamp& clamp) {
 /// Equilibrium of a rod held by `clamp` under dead loads; a saddle is told by its index. `start`:
 /// frames of the edges to start from, trusted to be near; none: the shape at rest.
 template <class Space, class Model>
-Solution<Spatial> solve(const Rod<Spatial>& rod, const Clamp& clamp, const Loads<Spatial>& loads,
-                        const std::vector<Quaternion>& start = {}, const Options& options = {},
-                        const Trace& trace = {}) {
+Solution<Spatial> solve(const Rod<Spatial>& rod, const Placement<Spatial>& clamp,
+                        const Loads<Spatial>& loads, const std::vector<Quaternion>& start = {},
+                        const Options& options = {}, const Trace& trace = {}) {
   require_rotation(clamp.frame, "clamp.frame");
   if (!start.empty()) require_frames(start, rod.edges(), "start");
   const Cantilever<Space, Model> scene(restricted<Space>(rod), Point<Space>::Zero(),
@@ -42,7 +42,7 @@ Solution<Spatial> solve(const Rod<Spatial>& rod, const Clamp& clamp, const Loads
 
 /// The network of a rod that `clamp` holds at its start: for loads that follow, and to leave
 /// saddles.
-inline Network<Spatial> held(const Rod<Spatial>& rod, const Clamp& clamp,
+inline Network<Spatial> held(const Rod<Spatial>& rod, const Placement<Spatial>& clamp,
                              const Loads<Spatial>& loads) {
   Network<Spatial> out{{rod}, {{clamp.position, clamp.frame}}, {loads}, {}, {}};
   out.nodes.push_back({clamp.position, Directions<3>(3, 0), clamp.frame, Directions<3>(3, 0)});
@@ -68,9 +68,10 @@ Solution<Spatial> the_rod(NetworkRun<Space>&& run) {
 /// mode, if a `stable` equilibrium is wanted. A template, so that only who calls it compiles all
 /// the solvers.
 template <std::same_as<Spatial> S>
-Solution<S> solve(const Rod<S>& rod, Dimension dimension, ModelKind model, const Clamp& clamp,
-                  const Loads<S>& loads, const std::vector<Quaternion>& start = {},
-                  const Options& options = {}, const Trace& trace = {}, bool stable = true) {
+Solution<S> solve(const Rod<S>& rod, Dimension dimension, ModelKind model,
+                  const Placement<Spatial>& clamp, const Loads<S>& loads,
+                  const std::vector<Quaternion>& start = {}, const Options& options = {},
+                  const Trace& trace = {}, bool stable = true) {
   return in_space(dimension, [&]<class Space>(Space) {
     const auto as_network = [&](const std::vector<Quaternion>& frames) {
       const auto from = frames.empty() ? std::nullopt : std::optional(NetworkStart{frames, {}, {}});

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pyrod/solve/mode.hpp>
-#include <pyrod/statics/network_equilibrium.hpp>
+#include <pyrod/statics/network_problem.hpp>
 #include <pyrod/statics/rounding.hpp>
 #include <pyrod/statics/softness.hpp>
 
@@ -15,7 +15,7 @@ namespace pyrod {
 template <class Space>
 class Uncertainty {
  public:
-  using Problem = NetworkEquilibrium<Space>;
+  using Problem = NetworkProblem<Space>;
 
   /// `problem` must stay where it is.
   explicit Uncertainty(const Problem& problem)

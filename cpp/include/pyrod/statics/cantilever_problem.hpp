@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file Equilibrium of a rod clamped at its start and free at its end, as a problem for the
+/// \file The equilibrium of a rod clamped at its start and free at its end as a problem for the
 /// solver.
 ///
 /// The loads give the section force on every edge, so the unknowns are the frames of the edges and
@@ -15,14 +15,14 @@
 namespace pyrod {
 
 template <class Space, class Model>
-class Equilibrium {
+class CantileverProblem {
  public:
   using Rotation = typename Space::Rotation;
   using State = std::vector<Rotation>;
   static constexpr int dim = Space::dim, spin = Space::spin;
   using Storage = Linearisation<BlockTridiagonal<spin>>;
 
-  Equilibrium(const Rod<Space>& rod, const Rotation& clamp, const Loads<Space>& loads)
+  CantileverProblem(const Rod<Space>& rod, const Rotation& clamp, const Loads<Space>& loads)
       : chain_(chain(rod, clamp, loads)) {
     if (loads.has_couples()) {
       couple_ = loads.couple;

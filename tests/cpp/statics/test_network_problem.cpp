@@ -12,8 +12,8 @@ using namespace pyrod::test;
 
 namespace {
 
-static_assert(Constrained<NetworkEquilibrium<Planar>>);
-static_assert(Constrained<NetworkEquilibrium<Spatial>>);
+static_assert(Constrained<NetworkProblem<Planar>>);
+static_assert(Constrained<NetworkProblem<Spatial>>);
 
 /// Any frames, forces and places, nothing in equilibrium.
 template <class Space>
@@ -46,7 +46,7 @@ std::vector<int> rotations(const Layout<Space>& layout) {
 template <class Space>
 struct Check {
   Layout<Space> layout;
-  NetworkEquilibrium<Space> statics{layout};
+  NetworkProblem<Space> statics{layout};
   NetworkState<Space> x;
 
   Check(Random& random, const Network<Space>& net) : layout(net) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/rotation/embedding.hpp>
-#include <pyrod/statics/equilibrium.hpp>
+#include <pyrod/statics/cantilever_problem.hpp>
 
 #include "support/allocations.hpp"
 #include "support/dense.hpp"
@@ -15,15 +15,15 @@ using namespace pyrod::test;
 
 namespace {
 
-static_assert(Problem<Equilibrium<Planar, InextensibleKirchhoff>>);
-static_assert(Problem<Equilibrium<Spatial, Cosserat>>);
+static_assert(Problem<CantileverProblem<Planar, InextensibleKirchhoff>>);
+static_assert(Problem<CantileverProblem<Spatial, Cosserat>>);
 
 /// A rod, loads and frames, all at random.
 template <class Case>
 struct Setting {
   using Space = typename Case::Space;
   using Rotation = typename Space::Rotation;
-  using Statics = Equilibrium<Space, typename Case::Model>;
+  using Statics = CantileverProblem<Space, typename Case::Model>;
 
   Rod<Space> rod;
   Loads<Space> loads;

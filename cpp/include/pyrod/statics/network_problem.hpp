@@ -10,13 +10,13 @@
 namespace pyrod {
 
 template <class Space>
-class NetworkEquilibrium : public NetworkSpans<Space> {
+class NetworkProblem : public NetworkSpans<Space> {
  public:
   using Base = NetworkSpans<Space>;
   using Base::dim, Base::spin, Base::first_row, Base::forces;
   using typename Base::Rotation, typename Base::State, typename Base::Storage;
 
-  explicit NetworkEquilibrium(const Layout<Space>& layout) : Base(layout) {
+  explicit NetworkProblem(const Layout<Space>& layout) : Base(layout) {
     weigh_rows();
     find_units();
     find_softness();
