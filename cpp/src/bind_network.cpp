@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job.hpp"
-#include "solvers.hpp"
+#include <pyrod/statics/level.hpp>
 
 namespace pyrod::bind {
 

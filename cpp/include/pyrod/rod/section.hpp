@@ -15,13 +15,17 @@ namespace pyrod {
 
 /// Isotropic linear elasticity.
 struct Material {
-  double E;   ///< Young's modulus [Pa]
-  double nu;  ///< Poisson's ratio, in (−1, 1/2]
+  double E;        ///< Young's modulus [Pa]
+  double nu;       ///< Poisson's ratio, in (−1, 1/2]
+  double density;  ///< [kg/m³], for gravity
 
-  Material(double young, double poisson = 0.3) : E(young), nu(poisson) {
+  Material(double young, double poisson = 0.3, double mass_per_volume = 0)
+      : E(young), nu(poisson), density(mass_per_volume) {
     require(std::isfinite(E) && E > 0, "E: Young's modulus must be positive, got ", E);
     require(nu > -1 && nu <= 0.5, "nu: Poisson's ratio must lie in (-1, 0.5], got ", nu,
             "; to prescribe G independently give the section its own stiffnesses");
+    require(std::isfinite(density) && density >= 0, "density: must not be negative, got ",
+            density);
   }
   double G() const { return E / (2 * (1 + nu)); }
 };
@@ -32,17 +36,28 @@ struct Section {
 
   double EI1, EI2, GJ;                          ///< bending about directors 1 and 2, torsion [N m²]
   double GA1 = rigid, GA2 = rigid, EA = rigid;  ///< shear along directors 1 and 2, stretch [N]
+  double mass_per_length = 0;                   ///< [kg/m]
 
   Section(double bend1, double bend2, double twist, double shear1 = rigid, double shear2 = rigid,
-          double stretch = rigid)
-      : EI1(bend1), EI2(bend2), GJ(twist), GA1(shear1), GA2(shear2), EA(stretch) {
+          double stretch = rigid, double mass = 0)
+      : EI1(bend1),
+        EI2(bend2),
+        GJ(twist),
+        GA1(shear1),
+        GA2(shear2),
+        EA(stretch),
+        mass_per_length(mass) {
     check(EI1, "EI1"), check(EI2, "EI2"), check(GJ, "GJ");
     check(GA1, "GA1", true), check(GA2, "GA2", true), check(EA, "EA", true);
     require(std::isinf(GA1) == std::isinf(GA2),
             "GA1, GA2: give both shear stiffnesses or neither, got ", GA1, " and ", GA2);
     require(std::isinf(GA1) || std::isfinite(EA),
             "EA: a rod that shears must also stretch; give EA or leave GA1, GA2 out");
+    require(std::isfinite(mass) && mass >= 0,
+            "mass_per_length: must be finite and not negative, got ", mass);
   }
+
+  bool operator==(const Section&) const = default;
 
   /// Solid circle.
   static Section circle(double radius, const Material& material) {
@@ -61,7 +76,7 @@ struct Section {
     const double m2 = b2 / a2, s = (1 + m2) * (1 + m2);
     const double κ = 6 * (1 + ν) * s / ((7 + 6 * ν) * s + (20 + 12 * ν) * m2);
     const double E = material.E, G = material.G();
-    return {E * I, E * I, 2 * G * I, κ * G * A, κ * G * A, E * A};
+    return {E * I, E * I, 2 * G * I, κ * G * A, κ * G * A, E * A, material.density * A};
   }
 
   /// Solid rectangle: `width` along director 1, `height` along director 2.
@@ -75,7 +90,8 @@ struct Section {
             G * rectangle_torsion(width, height),
             κ * G * A,
             κ * G * A,
-            E * A};
+            E * A,
+            material.density * A};
   }
 
  private:

@@ -3,17 +3,13 @@
 #pragma once
 
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/scene/directions.hpp>
 #include <pyrod/scene/placement.hpp>
 #include <pyrod/statics/loads.hpp>
 
 #include <optional>
 
 namespace pyrod {
-
-/// Up to N independent directions, as columns.
-template <int N>
-using Directions =
-    Eigen::Matrix<double, N, Eigen::Dynamic, N == 1 ? Eigen::RowMajor : Eigen::ColMajor, N, N>;
 
 /// A point where rods meet or are held. Free unless told otherwise.
 template <class Space>

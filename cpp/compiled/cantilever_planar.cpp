@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solvers.hpp"
+#include <pyrod/statics/compiled.hpp>
 
 namespace pyrod {
 

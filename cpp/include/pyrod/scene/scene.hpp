@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Scenes: rods, what holds and joins them, and what acts on them.
+#pragma once
+
+#include <pyrod/scene/joint.hpp>
+#include <pyrod/scene/load.hpp>
+#include <pyrod/scene/rod_on_grid.hpp>
+#include <pyrod/scene/supports.hpp>
+
+namespace pyrod {
+
+/// A value like any other: what it is made of may be changed until it is solved, and after. Places
+/// get vertices when it is; ends without a support or joint are free.
+struct Scene {
+  std::vector<RodSpec> rods;
+  std::vector<Support> supports = {};
+  std::vector<Load> loads = {};
+  /// planar: the rods stay in the plane of the directors a1 and a3 of the first clamp (else of the
+  /// first rod at rest), which takes a third of the unknowns. What leaves the plane is refused.
+  Dimension space = Dimension::spatial;
+  std::vector<Joint> joints = {};
+
+  Scene(std::vector<RodSpec> several, std::vector<Support> held = {}, std::vector<Load> acting = {},
+        Dimension in = Dimension::spatial, std::vector<Joint> joined = {})
+      : rods(std::move(several)),
+        supports(std::move(held)),
+        loads(std::move(acting)),
+        space(in),
+        joints(std::move(joined)) {}
+  /// Of one rod.
+  Scene(RodSpec rod, std::vector<Support> held = {}, std::vector<Load> acting = {},
+        Dimension in = Dimension::spatial)
+      : Scene(std::vector{std::move(rod)}, std::move(held), std::move(acting), in) {}
+
+  bool chooses_edges() const {
+    return std::ranges::any_of(rods, [](const auto& rod) { return rod.chooses; });
+  }
+  bool has_followers() const {
+    return std::ranges::any_of(loads, [](const Load& load) {
+      return std::visit(
+          [](const auto& l) {
+            if constexpr (requires { l.follower; }) return l.follower;
+            return false;
+          },
+          load);
+    });
+  }
+};
+
+}  // namespace pyrod

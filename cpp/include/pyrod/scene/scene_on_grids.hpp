@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file A scene on its grids: rods with vertices at all places, and the loads brought to them.
+#pragma once
+
+#include <pyrod/scene/scene.hpp>
+#include <pyrod/statics/loads.hpp>
+
+namespace pyrod {
+
+/// The scene with vertices where rods are held and joined; and where point loads act, of rods
+/// whose grid the solver chooses, or of all. Lists of loads become steps, which hold on any grid.
+inline Scene with_vertices_at_places(Scene scene, bool all) {
+  const auto number = [&](int rod, const char* name) {
+    require(rod >= 0 && rod < int(scene.rods.size()), name, ": there is no rod ", rod,
+            ", the scene has ", scene.rods.size());
+    return std::size_t(rod);
+  };
+  std::vector<std::vector<double>> at(scene.rods.size());
+  const auto mark = [&](const Place& place, bool point_load) {
+    const auto& rod = scene.rods[number(place.rod, "at")];
+    const double s = place.on(Grid(rod.edge_lengths));
+    const bool wanted = !point_load || all || rod.chooses;
+    if (wanted && s > 0 && s < rod.length()) at[std::size_t(place.rod)].push_back(s);
+  };
+  const auto step = [&](Along<Vec3>& along, int rod, const char* name) {
+    const Grid grid(scene.rods[number(rod, "rod")].edge_lengths);
+    const auto* list = std::get_if<std::vector<Vec3>>(&along);
+    if (!list) return;
+    require_count(Eigen::Index(list->size()), grid.edges(), name, "one per edge");
+    along = [values = *list, ends = grid.arc_lengths()](double s) {
+      const auto behind = std::upper_bound(ends.begin(), ends.end(), s) - ends.begin();
+      return values[std::size_t(std::clamp<std::ptrdiff_t>(behind - 1, 0, ends.size() - 2))];
+    };
+  };
+  for (const auto& support : scene.supports) mark(place_of(support), false);
+  for (const auto& joint : scene.joints)
+    for (const auto& place : joint.points) mark(place, false);
+  for (auto& load : scene.loads) {
+    if (auto* force = std::get_if<Force>(&load)) mark(force->at, true);
+    if (auto* moment = std::get_if<Moment>(&load)) mark(moment->at, true);
+    if (auto* along = std::get_if<DistributedForce>(&load))
+      step(along->force_per_length, along->rod, "force_per_length");
+    if (auto* along = std::get_if<DistributedMoment>(&load))
+      step(along->moment_per_length, along->rod, "moment_per_length");
+  }
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (!at[i].empty()) scene.rods[i] = with_vertices(std::move(scene.rods[i]), at[i]);
+  return scene;
+}
+
+/// What acts on a rod that has each edge of `places` cut in so many.
+class LoadedGrid {
+ public:
+  LoadedGrid(const Rod<Spatial>& rod, const Grid& places)
+      : rod_(rod), places_(places), parts_(rod.edges() / places.edges()), loads_(rod.edges()) {}
+
+  Loads<Spatial> take() { return std::move(loads_); }
+
+  void add(const Force& force) {
+    const Site at = site(force.at);
+    if (force.follower)
+      loads_.add_following_force(rod_.grid, force.force, at, {rod_.K0.front(), rod_.K0.back()});
+    else
+      loads_.add_force(rod_.grid, force.force, at);
+  }
+  void add(const Moment& moment) {
+    const Site at = site(moment.at);
+    if (!moment.follower) return loads_.add_couple(rod_.grid, moment.moment, at);
+    const auto vertex = std::size_t(at.edge + (at.part >= 0.5));
+    loads_.add_following_couple(rod_.grid, moment.moment, at, rod_.bending[vertex].cwiseInverse());
+  }
+  void add(const DistributedForce& force) {
+    const auto f = on_edges(force.force_per_length, "force_per_length");
+    force.follower ? loads_.add_following_force_per_length(rod_.grid, f)
+                   : loads_.add_force_per_length(rod_.grid, f);
+  }
+  void add(const DistributedMoment& moment) {
+    const auto l = on_edges(moment.moment_per_length, "moment_per_length");
+    moment.follower ? loads_.add_following_couple_per_length(rod_.grid, l)
+                    : loads_.add_couple_per_length(rod_.grid, l);
+  }
+  void add_weight(const Vec3& acceleration, const std::vector<double>& mass) {
+    std::vector<Vec3> f;
+    for (const double m : mass) f.push_back(m * acceleration);
+    loads_.add_force_per_length(rod_.grid, f);
+  }
+
+ private:
+  Site site(const Place& place) const {
+    return Site::on(places_, place.on(places_)).refined(parts_);
+  }
+  std::vector<Vec3> on_edges(const Along<Vec3>& along, const char* name) const {
+    return sampled(along, centres(rod_.grid.arc_lengths()), name, "edge");
+  }
+
+  const Rod<Spatial>& rod_;
+  const Grid& places_;
+  int parts_;
+  Loads<Spatial> loads_;
+};
+
+/// One level of a climb: all edges of the scene, whose places have vertices, are cut in 2ᵏ. Places
+/// are found once, on level 0: on finer grids they are the same by number.
+class SceneOnGrids {
+ public:
+  explicit SceneOnGrids(const Scene& scene, int level = 0) : scene_(scene), parts_(1 << level) {
+    require(!scene.rods.empty(), "rods: expected at least one");
+    require(!scene.supports.empty() || !scene.joints.empty(),
+            "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or another "
+            "support");
+    for (const auto& spec : scene.rods) {
+      places_.emplace_back(spec.edge_lengths);
+      rods_.push_back(on_grid(spec, parts_));
+    }
+    for (std::size_t i = 0; i < rods_.size(); ++i) loads_.push_back(acting_on(i));
+  }
+
+  const Scene& scene() const { return scene_; }
+  const Rod<Spatial>& rod(int i) const { return rods_[std::size_t(i)].rod; }
+  const Loads<Spatial>& loads(int i) const { return loads_[std::size_t(i)]; }
+
+  /// The vertex at a place.
+  int vertex(const Place& at) const {
+    const auto& grid = places_[std::size_t(at.rod)];
+    const double s = at.on(grid);
+    Eigen::Index nearest = 0;
+    (grid.arc_lengths().array() - s).abs().minCoeff(&nearest);
+    return int(nearest) * parts_;
+  }
+  double arc_length(const Place& at) const { return at.on(places_[std::size_t(at.rod)]); }
+
+ private:
+  Loads<Spatial> acting_on(std::size_t i) const {
+    LoadedGrid out(rods_[i].rod, places_[i]);
+    for (const auto& load : scene_.loads)
+      std::visit([&](const auto& one) { add(one, i, out); }, load);
+    return out.take();
+  }
+  template <class PointLoad>
+    requires requires(const PointLoad& load) { load.at; }
+  void add(const PointLoad& load, std::size_t i, LoadedGrid& out) const {
+    if (std::size_t(load.at.rod) == i) out.add(load);
+  }
+  template <class Distributed>
+    requires requires(const Distributed& load) { load.rod; }
+  void add(const Distributed& load, std::size_t i, LoadedGrid& out) const {
+    if (std::size_t(load.rod) == i) out.add(load);
+  }
+  void add(const Gravity& gravity, std::size_t i, LoadedGrid& out) const {
+    const auto heavy = [](const RodOnGrid& rod) {
+      return std::ranges::any_of(rod.mass, [](double m) { return m > 0; });
+    };
+    require(std::ranges::any_of(rods_, heavy),
+            "Gravity: no rod has a mass; give its material a density, or its section a "
+            "mass_per_length");
+    out.add_weight(gravity.acceleration, rods_[i].mass);
+  }
+
+  const Scene& scene_;
+  int parts_;
+  std::vector<Grid> places_;  ///< of level 0
+  std::vector<RodOnGrid> rods_;
+  std::vector<Loads<Spatial>> loads_;
+};
+
+}  // namespace pyrod

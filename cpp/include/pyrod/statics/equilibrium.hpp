@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The answer: a scene in equilibrium, and how it was found.
+#pragma once
+
+#include <pyrod/statics/error_scales.hpp>
+#include <pyrod/statics/ladder.hpp>
+#include <pyrod/statics/network_start.hpp>
+
+#include <string>
+#include <utility>
+
+namespace pyrod {
+
+/// What a support exerts on the rods, the moment about its own point.
+struct Reaction {
+  Vec3 force, moment;
+};
+
+/// How far a solution is from that of the continuous rods: what was asked for, and what was
+/// reached. Errors are those of the discretisation, see `quantity_names` for what is told.
+struct Accuracy {
+  double tol;
+  Reached reached;
+
+  double error(Quantity what) const { return reached.errors[std::size_t(what)]; }
+  /// The largest of those that `tol` is for: vertices and sums.
+  double largest() const {
+    return *std::max_element(reached.errors.begin(), reached.errors.begin() + vertex_quantities);
+  }
+};
+
+/// Everything there is to know; values like any other.
+struct Equilibrium {
+  SceneSolution found;
+  std::vector<Reaction> reactions;  ///< of the supports, in their order
+  std::vector<Vec3> held;           ///< the points that they hold
+  std::vector<Rod<Spatial>> made;   ///< the rods as they were solved
+  std::optional<Accuracy> accuracy = {};  ///< of a solve with a tolerance
+  std::vector<std::string> doubts = {};   ///< what one should know before trusting it
+
+  bool converged() const { return found.converged(); }
+  Status status() const { return found.status; }
+  /// What happened and what to try.
+  std::string_view advice() const { return pyrod::advice(found.status); }
+  /// Number of unstable modes; −1: the loads have no potential.
+  int index() const { return found.index; }
+  bool stable() const { return found.index == 0; }
+
+  const RodSolution<Spatial>& rod(int i = 0) const { return found.rods[std::size_t(i)]; }
+  const Vec3& tip(int i = 0) const { return rod(i).curve.positions.back(); }
+  const Quaternion& tip_frame(int i = 0) const { return rod(i).vertex_frames.back(); }
+
+  /// Elastic energy [J].
+  double energy() const {
+    double sum = 0;
+    for (const auto& r : found.rods) sum += r.bend_twist_energy + r.stretch_shear_energy;
+    return sum;
+  }
+
+  /// What is missing to the balance of all forces and of all moments, relative to their sizes. From
+  /// positions, loads and reactions alone, by no formula of the solver.
+  std::pair<double, double> balance() const {
+    Sum force, moment;
+    double most_force = 0, most_moment = 0, length = 0;
+    for (const auto& r : found.rods) {
+      for (std::size_t j = 0; j < r.load.size(); ++j) {
+        force.add(r.load[j]);
+        moment.add(r.curve.positions[j].cross(r.load[j]));
+      }
+      moment.add(r.load_moment);
+      for (const auto& n : r.force) most_force = std::max(most_force, n.norm());
+      for (const auto& m : r.moment) most_moment = std::max(most_moment, m.norm());
+    }
+    for (std::size_t i = 0; i < reactions.size(); ++i) {
+      force.add(reactions[i].force);
+      moment.add(held[i].cross(reactions[i].force));
+      moment.add(reactions[i].moment);
+    }
+    for (const auto& r : made) length = std::max(length, r.grid.length());
+    const double F = force.sizes + most_force, M = moment.sizes + most_moment + length * F;
+    return {force.sum.norm() / (F > 0 ? F : 1), moment.sum.norm() / (M > 0 ? M : 1)};
+  }
+
+ private:
+  struct Sum {
+    Vec3 sum = Vec3::Zero();
+    double sizes = 0;
+    void add(const Vec3& v) { sum += v, sizes += v.norm(); }
+  };
+};
+
+/// How to solve.
+struct Settings {
+  /// The largest relative error wanted; none: the scene's edges as they are, and 1e-6 where rods
+  /// leave them to the solver.
+  std::optional<double> tol = {};
+  bool stable = true;  ///< leave saddles along their unstable modes; else any equilibrium will do
+  bool eigenvalue = false;             ///< find the lowest eigenvalue of the second variation, too
+  const Equilibrium* start = nullptr;  ///< of a similar scene with as many edges, trusted to be near
+  std::vector<Quaternion> frames = {};  ///< instead: those of all edges
+  Options options = {};
+  Trace trace = {};
+};
+
+}  // namespace pyrod
