@@ -4,7 +4,6 @@
 #include <pyrod/rod/refinement.hpp>
 #include <pyrod/statics/ready_ladder.hpp>
 
-
 namespace pyrod::bind {
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "job.hpp"
 #include <pyrod/statics/level.hpp>
+#include "job.hpp"
 
 namespace pyrod::bind {
 

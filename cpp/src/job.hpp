@@ -5,6 +5,8 @@
 #include "bind.hpp"
 
 #include <pyrod/statics/ladder.hpp>
+#include <pyrod/statics/loads.hpp>
+#include <pyrod/statics/network_start.hpp>
 
 #include <optional>
 

@@ -2,12 +2,14 @@
 /// \file All of pyrod.
 #pragma once
 
+#include <pyrod/core/parallel.hpp>
 #include <pyrod/curve/approach.hpp>
 #include <pyrod/curve/averages.hpp>
+#include <pyrod/curve/bishop.hpp>
 #include <pyrod/curve/conversion.hpp>
+#include <pyrod/curve/framing.hpp>
+#include <pyrod/curve/frenet.hpp>
 #include <pyrod/curve/link.hpp>
 #include <pyrod/rod/energy.hpp>
-#include <pyrod/rod/refinement.hpp>
-#include <pyrod/rod/section.hpp>
-#include <pyrod/statics/cantilever_levels.hpp>
-#include <pyrod/statics/network_levels.hpp>
+#include <pyrod/scene.hpp>
+#include <pyrod/statics/scene_solver.hpp>

@@ -24,8 +24,7 @@ struct Material {
     require(std::isfinite(E) && E > 0, "E: Young's modulus must be positive, got ", E);
     require(nu > -1 && nu <= 0.5, "nu: Poisson's ratio must lie in (-1, 0.5], got ", nu,
             "; to prescribe G independently give the section its own stiffnesses");
-    require(std::isfinite(density) && density >= 0, "density: must not be negative, got ",
-            density);
+    require(std::isfinite(density) && density >= 0, "density: must not be negative, got ", density);
   }
   double G() const { return E / (2 * (1 + nu)); }
 };

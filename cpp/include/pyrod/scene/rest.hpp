@@ -32,7 +32,8 @@ inline std::optional<Carrier> carrier(const SceneOnGrids& on, int rod) {
 /// A rod at rest, perhaps carried; its shape is computed when it is asked for.
 class Rest {
  public:
-  Rest(const Rod<Spatial>& rod, const Placement<Spatial>& placement) : rod_(rod), start_(placement) {}
+  Rest(const Rod<Spatial>& rod, const Placement<Spatial>& placement)
+      : rod_(rod), start_(placement) {}
 
   /// The rod carried as a whole.
   Rest(const Rod<Spatial>& rod, const Placement<Spatial>& placement, const Carrier& by)

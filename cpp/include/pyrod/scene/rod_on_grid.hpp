@@ -20,8 +20,10 @@ namespace detail {
 class RodMaker {
  public:
   RodMaker(const RodSpec& spec, const Vector& h)
-      : spec_(spec), grid_(h), base_(spec.base), same_(h.size() == spec.base.size() &&
-                                                       h == spec.base) {}
+      : spec_(spec),
+        grid_(h),
+        base_(spec.base),
+        same_(h.size() == spec.base.size() && h == spec.base) {}
 
   RodOnGrid make() {
     on_edges_ = sections();
@@ -174,8 +176,7 @@ inline Vector cut(const Vector& h, const std::vector<double>& at) {
   std::ranges::sort(s);
   s.erase(std::ranges::unique(s).begin(), s.end());
   Vector out(Eigen::Index(s.size()) - 1);
-  for (Eigen::Index j = 0; j < out.size(); ++j)
-    out[j] = s[std::size_t(j) + 1] - s[std::size_t(j)];
+  for (Eigen::Index j = 0; j < out.size(); ++j) out[j] = s[std::size_t(j) + 1] - s[std::size_t(j)];
   return out;
 }
 

@@ -163,8 +163,7 @@ class NetworkMaker {
   }
 
   Placement<Spatial> plane() {
-    const auto* clamp =
-        scene_.supports.empty() ? nullptr : std::get_if<Clamp>(&scene_.supports[0]);
+    const auto* clamp = scene_.supports.empty() ? nullptr : std::get_if<Clamp>(&scene_.supports[0]);
     if (!clamp) return scene_.rods[0].placement;
     const auto [rod, vertex] = point(clamp->at);
     const auto rest = carried_[std::size_t(rod)].place(vertex);

@@ -88,9 +88,7 @@ inline Hold hold(const Slider& slider, const Quaternion&) {
     out.free = detail::without<3>(Hold::everywhere(), direction(*slider.normal, "normal"));
   return out;
 }
-inline Hold hold(const Sleeve&, const Quaternion& q) {
-  return {.free = rotate(q, Vec3::UnitZ())};
-}
+inline Hold hold(const Sleeve&, const Quaternion& q) { return {.free = rotate(q, Vec3::UnitZ())}; }
 inline Hold hold(const Pivot& pivot, const Quaternion& q) {
   Hold out{.turns = unrotate(q, direction(pivot.axis, "axis"))};
   if (pivot.along) out.free = direction(*pivot.along, "along");

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <concepts>
 
 namespace pyrod {
 
@@ -19,8 +20,8 @@ struct Mode {
 
 /// K v = λ diag(weights) v on the constraints, with the eigenvalue nearest to −σ; `factor` is that
 /// of K + σ diag(weights). `exact`: without what the factor always adds.
-inline Mode inverse_iteration(ShiftedFactor& factor, const Vector& weights, double σ, int steps,
-                              bool exact) {
+template <std::same_as<ShiftedFactor> Factor>
+Mode inverse_iteration(Factor& factor, const Vector& weights, double σ, int steps, bool exact) {
   const auto& K = factor.matrix();
   Mode mode;
   Vector v = Vector::LinSpaced(K.size(), 0.3, 1.7).array().sin(), Kv(v.size());
@@ -48,7 +49,8 @@ inline Mode inverse_iteration(ShiftedFactor& factor, const Vector& weights, doub
 /// The lowest eigenvalue λ of K v = λ diag(weights) v on the constraints, and its mode. By inverse
 /// iteration behind a shift, from `unit` on, at which the inertia says that no eigenvalue is left
 /// below; the shift is halved towards it.
-inline Mode lowest_mode(ShiftedFactor& factor, const Vector& weights, double unit) {
+template <std::same_as<ShiftedFactor> Factor>
+Mode lowest_mode(Factor& factor, const Vector& weights, double unit) {
   const auto unstable_behind = [&](double λ) {
     factor.factorise(λ, weights);
     return factor.index() > 0;
@@ -71,8 +73,10 @@ inline Mode lowest_mode(ShiftedFactor& factor, const Vector& weights, double uni
 
 /// The number of eigenvalues of K v = λ diag(stiffness) v on the constraints below −`zero`. Pivots
 /// count those far from zero; those within `near`, which a shift or rounding might move to the
-/// other side, are computed: Rayleigh quotients of K itself, in the space of their modes.
-inline int confirmed_index(ShiftedFactor& factor, double zero = 1e-6, double near = 1e-4) {
+/// other side, are computed: Rayleigh quotients of K itself, in the space of their modes. A
+/// template, so that only who calls it compiles Eigen's solver.
+template <std::same_as<ShiftedFactor> Factor>
+int confirmed_index(Factor& factor, double zero = 1e-6, double near = 1e-4) {
   factor.factorise(-near);
   const int up_to = factor.index();
   factor.factorise(near);

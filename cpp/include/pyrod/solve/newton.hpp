@@ -5,6 +5,7 @@
 /// step is tried first and nearly always taken (docs/theory.md, "The solver").
 #pragma once
 
+#include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/options.hpp>
 #include <pyrod/solve/problem.hpp>
 #include <pyrod/solve/skew_solver.hpp>
@@ -18,17 +19,6 @@
 
 namespace pyrod {
 
-/// One line of a solve's record.
-struct Iteration {
-  Curvature curvature;  ///< Hessian the step was made with
-  double energy;        ///< before the step
-  double residual;      ///< largest component of the gradient before the step
-  double step;          ///< largest component [rad] of the step
-  double fraction;      ///< part of the step that was taken, 1 unless it had to be cut
-  double shift;         ///< σ added to the Hessian's diagonal, 0 unless it had to be
-  int factorisations;   ///< 1 unless shifts were tried
-};
-
 template <class State>
 struct Result {
   State state;
@@ -41,9 +31,6 @@ struct Result {
   int iterations() const { return int(record.size()); }
   bool converged() const { return status == Status::converged; }
 };
-
-/// Sees each iteration as it is done; returns false to stop the solve.
-using Trace = std::function<bool(const Iteration&)>;
 
 template <Problem P>
 class Newton {

@@ -12,6 +12,7 @@
 #include <pyrod/solve/skew_solver.hpp>
 #include <pyrod/sparse/cholesky.hpp>
 
+#include <concepts>
 #include <limits>
 #include <optional>
 
@@ -65,7 +66,8 @@ class ShiftedFactor {
 
   /// Overwrites x, which the factor gives for b, by the solution without D: by refinement, else
   /// by GMRES.
-  void correct(const Vector& b, Vector& x) {
+  template <std::same_as<Vector> V>
+  void correct(const V& b, V& x) {
     if (refined(b, x)) return;
     factor_.solve(b, x);
     correct_skew([](const Vector& v, Vector& out) { out.setZero(v.size()); }, x);

@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 #include <unsupported/Eigen/IterativeSolvers>
 
+#include <concepts>
 #include <functional>
 
 namespace pyrod {
@@ -51,8 +52,10 @@ class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
     out += x;
   }
 
-  /// Overwrites δ = H⁻¹ b by the solution of (H + Z) δ = b.
-  void correct(Vector& δ) const {
+  /// Overwrites δ = H⁻¹ b by the solution of (H + Z) δ = b. A template, so that only who calls it
+  /// compiles GMRES.
+  template <std::same_as<Vector> V>
+  void correct(V& δ) const {
     Eigen::GMRES<SkewCorrected, Eigen::IdentityPreconditioner> gmres(*this);
     gmres.setTolerance(1e-13);
     gmres.setMaxIterations(100);

@@ -5,6 +5,7 @@
 #include <pyrod/rod/refinement.hpp>
 #include <pyrod/statics/ladder.hpp>
 #include <pyrod/statics/prolongation.hpp>
+#include <pyrod/statics/solve.hpp>
 
 #include <memory>
 

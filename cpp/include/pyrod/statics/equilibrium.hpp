@@ -2,10 +2,12 @@
 /// \file The answer: a scene in equilibrium, and how it was found.
 #pragma once
 
-#include <pyrod/statics/error_scales.hpp>
-#include <pyrod/statics/ladder.hpp>
-#include <pyrod/statics/network_start.hpp>
+#include <pyrod/solve/options.hpp>
+#include <pyrod/statics/reached.hpp>
+#include <pyrod/statics/scene_solution.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -32,9 +34,9 @@ struct Accuracy {
 /// Everything there is to know; values like any other.
 struct Equilibrium {
   SceneSolution found;
-  std::vector<Reaction> reactions;  ///< of the supports, in their order
-  std::vector<Vec3> held;           ///< the points that they hold
-  std::vector<Rod<Spatial>> made;   ///< the rods as they were solved
+  std::vector<Reaction> reactions;        ///< of the supports, in their order
+  std::vector<Vec3> held;                 ///< the points that they hold
+  std::vector<Rod<Spatial>> made;         ///< the rods as they were solved
   std::optional<Accuracy> accuracy = {};  ///< of a solve with a tolerance
   std::vector<std::string> doubts = {};   ///< what one should know before trusting it
 
@@ -95,8 +97,9 @@ struct Settings {
   /// leave them to the solver.
   std::optional<double> tol = {};
   bool stable = true;  ///< leave saddles along their unstable modes; else any equilibrium will do
-  bool eigenvalue = false;             ///< find the lowest eigenvalue of the second variation, too
-  const Equilibrium* start = nullptr;  ///< of a similar scene with as many edges, trusted to be near
+  bool eigenvalue = false;  ///< find the lowest eigenvalue of the second variation, too
+  const Equilibrium* start =
+      nullptr;  ///< of a similar scene with as many edges, trusted to be near
   std::vector<Quaternion> frames = {};  ///< instead: those of all edges
   Options options = {};
   Trace trace = {};

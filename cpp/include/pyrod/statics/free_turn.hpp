@@ -5,6 +5,8 @@
 
 #include <pyrod/statics/rung.hpp>
 
+#include <optional>
+
 namespace pyrod {
 
 namespace detail {

@@ -5,6 +5,7 @@
 
 #include <pyrod/statics/error_scales.hpp>
 #include <pyrod/statics/free_turn.hpp>
+#include <pyrod/statics/reached.hpp>
 
 #include <array>
 #include <functional>
@@ -20,15 +21,6 @@ struct SoFar {
   double error = std::numeric_limits<double>::infinity();  ///< the largest, of the best grids
 };
 
-/// What ended a climb.
-enum class Ended { reached, interrupted, edges, rounding, time, failed };
-
-constexpr std::string_view name(Ended ended) {
-  constexpr std::array<std::string_view, 6> names{"reached",  "interrupted", "edges",
-                                                  "rounding", "time",        "failed"};
-  return names[std::size_t(ended)];
-}
-
 /// What the ladder needs of a scene. On level k every edge is cut in 2ᵏ; the solution of a level is
 /// that seen from level 0, see `seen`.
 struct LadderScene {
@@ -39,14 +31,6 @@ struct LadderScene {
   /// Rods turn by finite angles in single cells. Where the moment is not along such a turn, its
   /// cell gives way a little otherwise than its two halves would: errors begin with h.
   bool corners = false;
-};
-
-struct Reached {
-  std::array<double, quantities> errors;  ///< estimates, relative; see `ErrorScales`
-  double order = 0;                       ///< of the grids' own errors, as observed
-  bool regular = false;                   ///< whether that is two, so that extrapolation holds
-  int levels = 0, edges = 0;              ///< solves, and edges of the finest grid
-  Ended ended = Ended::reached;
 };
 
 struct Climbed {

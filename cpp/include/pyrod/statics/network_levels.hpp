@@ -4,6 +4,7 @@
 
 #include <pyrod/rod/refinement.hpp>
 #include <pyrod/statics/ladder.hpp>
+#include <pyrod/statics/network_run.hpp>
 #include <pyrod/statics/prolongation.hpp>
 
 namespace pyrod {

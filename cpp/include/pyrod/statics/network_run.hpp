@@ -4,6 +4,7 @@
 
 #include <pyrod/statics/network_solve.hpp>
 #include <pyrod/statics/network_start.hpp>
+#include <pyrod/statics/scene_solution.hpp>
 
 #include <optional>
 
@@ -147,6 +148,29 @@ NetworkRun<Space> run(const Network<Spatial>& net, const Placement<Spatial>& at,
     out.nodes.push_back({here.position + rotate(here.frame, embed(v.position)),
                          rotate(here.frame, embed(v.reaction_force)), here.frame * embed(v.frame),
                          rotate(here.frame, embed_spin(v.reaction_moment))});
+  return out;
+}
+
+template <class Space>
+SceneSolution scene_solution(NetworkRun<Space>&& from) {
+  const auto& r = from.result;
+  SceneSolution out{std::move(from.rods),
+                    std::move(from.nodes),
+                    r.status,
+                    r.index,
+                    r.residual,
+                    r.fill,
+                    r.unknowns,
+                    r.multipliers,
+                    r.load_steps,
+                    r.descents,
+                    r.neutral,
+                    {},
+                    r.lowest_eigenvalue,
+                    r.rounding,
+                    std::move(from.result.record),
+                    r.softness};
+  for (const auto& φ : r.mode) out.mode.push_back(embed_spin(φ));
   return out;
 }
 

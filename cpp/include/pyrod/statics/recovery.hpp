@@ -11,14 +11,6 @@
 
 namespace pyrod {
 
-/// A node in equilibrium, and what its support exerts on it.
-template <class Space>
-struct NodeSolution {
-  Point<Space> position, reaction_force;
-  typename Space::Rotation frame;
-  Spin<Space> reaction_moment;
-};
-
 template <class Space>
 struct NetworkSolution {
   std::vector<RodSolution<Space>> rods;

@@ -41,6 +41,14 @@ struct RodSolution {
   Largest largest;
 };
 
+/// A node in equilibrium, and what its support exerts on it.
+template <class Space>
+struct NodeSolution {
+  Point<Space> position, reaction_force;
+  typename Space::Rotation frame;
+  Spin<Space> reaction_moment;
+};
+
 /// Forces on vertices brought to every `stride`-th, as by levers.
 template <class Vector>
 std::vector<Vector> lumped(const std::vector<Vector>& forces, int stride) {

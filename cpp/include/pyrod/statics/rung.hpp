@@ -4,34 +4,13 @@
 #pragma once
 
 #include <pyrod/solve/extrapolation.hpp>
+#include <pyrod/statics/quantity.hpp>
 #include <pyrod/statics/scene_solution.hpp>
 
 #include <array>
 #include <span>
 
 namespace pyrod {
-
-/// What an error is told of. Those up to `reaction_moments` are of vertices and sums; those up to
-/// `strains` of edges, at their centres; the last of the largest values along rods.
-enum class Quantity {
-  unjudged = -1,
-  positions,
-  frames,
-  curvatures,
-  forces,
-  moments,
-  energy,
-  reactions,
-  reaction_moments,
-  edge_frames,
-  edge_forces,
-  strains,
-  extremes
-};
-constexpr int vertex_quantities = 8, edge_quantities = 3, quantities = 12;
-constexpr std::array<const char*, quantities> quantity_names{
-    "positions", "frames",           "curvatures",  "forces",      "moments", "energy",
-    "reactions", "reaction_moments", "edge_frames", "edge_forces", "strains", "extremes"};
 
 /// A solution on a grid whose edges are those of the coarsest cut in `stride` parts, seen there. A
 /// coarse edge is seen at its centre: there must be a vertex, so that `stride` is even, or it is 1.

@@ -25,6 +25,18 @@ Solution<Spatial> placed(const Solution<Space>& local, const Placement<Spatial>&
   return out;
 }
 
+inline SceneSolution scene_solution(Solution<Spatial>&& from, int unknowns) {
+  SceneSolution out;
+  out.status = from.status;
+  out.index = from.index;
+  out.residual = from.residual;
+  out.load_steps = from.load_steps;
+  out.unknowns = unknowns;
+  out.record = std::move(from.record);
+  out.rods.push_back(std::move(static_cast<RodSolution<Spatial>&>(from)));
+  return out;
+}
+
 /// Equilibrium of a rod held by `clamp` under dead loads; a saddle is told by its index. `start`:
 /// frames of the edges to start from, trusted to be near; none: the shape at rest.
 template <class Space, class Model>

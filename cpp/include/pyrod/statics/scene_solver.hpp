@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pyrod/scene/scene_network.hpp>
+#include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/ready_ladder.hpp>
-#include <pyrod/statics/solve_scene.hpp>
 
 namespace pyrod::detail {
 
@@ -16,14 +16,15 @@ inline bool is_cantilever(const Scene& scene) {
          clamp->at.on(Grid(scene.rods[0].edge_lengths)) == 0;
 }
 
+/// A template, so that only who solves a scene compiles all the solvers. `S`: `Settings`.
+template <class S>
 class SceneSolver {
  public:
-  SceneSolver(const Scene& given, const Settings& settings) : settings_(settings) {
+  SceneSolver(const Scene& given, const S& settings) : settings_(settings) {
     require(!given.rods.empty(), "rods: expected at least one");
     tol_ = settings.tol;
     if (!tol_ && given.chooses_edges()) tol_ = 1e-6;
-    if (tol_)
-      require(*tol_ > 0 && *tol_ <= 0.1, "tol: must be a number in (0, 0.1], got ", *tol_);
+    if (tol_) require(*tol_ > 0 && *tol_ <= 0.1, "tol: must be a number in (0, 0.1], got ", *tol_);
     settings.options.check();
     scene_.emplace(with_vertices_at_places(given, tol_.has_value()));
     level0_.emplace(*scene_);
@@ -152,7 +153,6 @@ class SceneSolver {
     return std::ranges::any_of(scene_->rods, [](const auto& rod) { return rod.corners; });
   }
 
-
   /// What a user should know before trusting it.
   void look_at(Equilibrium& out) const {
     const auto doubt = [&](const auto&... words) { out.doubts.push_back(text(words...)); };
@@ -161,8 +161,8 @@ class SceneSolver {
             "): a disturbed rod leaves it; start from a shape on the side that it would fall to");
     if (out.accuracy && out.converged() && !out.accuracy->reached.regular)
       doubt("the grids converge with order ", out.accuracy->reached.order,
-            " instead of 2, so the results are those of the finest, ",
-            out.accuracy->reached.edges, " edges");
+            " instead of 2, so the results are those of the finest, ", out.accuracy->reached.edges,
+            " edges");
     if (out.accuracy && out.converged() && out.accuracy->largest() > *tol_)
       doubt("rounding allows no more than ", out.accuracy->largest(),
             ": small differences of large numbers, as the stretch of a stiff member is of lengths");
@@ -190,7 +190,7 @@ class SceneSolver {
                      ": more edges are needed for the shape to mean anything");
   }
 
-  const Settings& settings_;
+  const S& settings_;
   std::optional<double> tol_;
   std::optional<Scene> scene_;  ///< with vertices at all places
   std::optional<SceneOnGrids> level0_;
@@ -198,15 +198,3 @@ class SceneSolver {
 };
 
 }  // namespace pyrod::detail
-
-namespace pyrod {
-
-#ifndef PYROD_COMPILED
-inline
-#endif
-    Equilibrium
-    solve(const Scene& scene, const Settings& settings) {
-  return detail::SceneSolver(scene, settings).solve();
-}
-
-}  // namespace pyrod
