@@ -8,7 +8,7 @@ int main() {
   using namespace pyrod;
   const int laths = 5;  // each way
   const double size = 4, inwards = 0.95;
-  const RodSpec lath = straight(size, 32, Section::rectangle(0.05, 0.02, Material(10e9, 0.3, 600)));
+  const RodSpec lath = straight(size, 32, Section::rectangle(0.02, 0.05, Material(10e9)));
   const auto line = [&](int k) { return size * (k + 1) / (laths + 1); };
 
   std::vector<RodSpec> rods;
@@ -29,9 +29,9 @@ int main() {
       joints.push_back({.points = {{i, line(j)}, {laths + j, line(i)}},
                         .kind = JointKind::hinge,
                         .axis = Vec3::UnitZ()});
-  // a little push upwards in the middle tells the way, and the weight pulls down
-  const Scene shell(rods, supports, {Gravity{}, Force{{0, 0, 50}, {laths / 2, size / 2}}},
-                    Dimension::spatial, joints);
+  // a crane draws the middle up
+  const Scene shell(rods, supports, {Force{{0, 0, 200}, {laths / 2, size / 2}}}, Dimension::spatial,
+                    joints);
 
   const Equilibrium found = solve(shell);
   double top = 0;

@@ -60,7 +60,7 @@ TEST_CASE("settings are looked at as well") {
 }
 
 TEST_CASE("what leaves the plane of a planar scene is refused") {
-  refuses("choose the spatial scene", {rod, {Clamp{}}, {Force{{0, 1, 0}}}, Dimension::planar});
+  refuses("leaves the plane of the clamp", {rod, {Clamp{}}, {Force{{0, 1, 0}}}, Dimension::planar});
   refuses("choose the spatial scene",
           {rod, {Clamp{}, Hinge{Vec3(0, 0.2, 0.9), End::end}}, {}, Dimension::planar});
 }
