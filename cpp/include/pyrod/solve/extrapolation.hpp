@@ -120,7 +120,8 @@ class Extrapolation {
   std::vector<double> corrections() const {
     const int m = last_ - 1;
     const double ratio = std::clamp(decay(m - 1), std::exp2(1 - power(m)), 0.75);
-    const double early = 1 + 20 * std::abs(4 * shrinking(0) - 1);
+    // of three grids, the ratio is that of the errors themselves: cautious enough
+    const double early = m > 1 ? 1 + 20 * std::abs(4 * shrinking(0) - 1) : 1;
     const double caution = 1.5 * early * ratio / (1 - ratio);
     const Vector now = caution * difference(m, last_);
     const Vector before = caution * divisor(m) * (columns_[m].front() - columns_[m - 1].front());
