@@ -186,6 +186,26 @@ TEST_CASE("a start that is near takes fewer steps, and finds the same") {
   CHECK((warm.rod().curve.positions[16] - cold.rod().curve.positions[16]).norm() < 1e-9);
 }
 
+TEST_CASE("a start of the edges that were given will do, whatever its signs") {
+  const Scene scene(straight(1.0, 10, flat), {Clamp{}}, {Force{{1, 0.5, 0}, 0.33}});
+  const auto plain = solve(scene), fine = solve(scene, {.tol = 1e-6});
+  const auto from = solve(scene, {.tol = 1e-6, .start = &plain});
+  CHECK((from.tip() - fine.tip()).norm() < 1e-9);
+  std::vector<Quaternion> frames = plain.rod().curve.frames;
+  for (auto& q : frames) q.coeffs() *= -1;
+  const auto again = solve(scene, {.frames = frames});
+  CHECK((again.tip() - plain.tip()).norm() < 1e-12);
+  CHECK(again.found.record.size() <= 2);
+}
+
+TEST_CASE("places that differ by rounding are one vertex") {
+  const Scene scene(straight(1.0, 11, flat), {Clamp{}, Hinge{Vec3(0.05, 0, 0.28), 0.1 + 0.2}},
+                    {Force{{1, 0, 0}, 0.3}});
+  const auto found = solve(scene, {.tol = 1e-6});
+  CHECK(found.made[0].edges() == 12);
+  balances(found);
+}
+
 TEST_CASE("saddles are left for stable shapes, or kept and doubted") {
   const Scene column(straight(1.0, 32, Section(1, 3, 0.8)), {Clamp{}}, {Force{{0, 0, -4}}});
   const auto buckled = solve(column), upright = solve(column, {.stable = false});

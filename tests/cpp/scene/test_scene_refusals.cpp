@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace pyrod;
 
 namespace {
@@ -45,6 +47,23 @@ TEST_CASE("supports and joints say what they lack") {
           joined({.points = {{0, End::end}, {1, End::start}}, .kind = JointKind::hinge}));
   refuses("joints: the points are not different vertices",
           joined({.points = {{0, End::end}, {0, 1.0}}}));
+}
+
+TEST_CASE("numbers that mean nothing are refused wherever they stand") {
+  const double nan = std::nan("");
+  refuses("supports: position: expected finite numbers", {rod, {Clamp{Vec3(nan, 0, 0)}}});
+  refuses("at: there is no rod -1", {rod, {Clamp{.at = {-1, End::start}}}});
+  refuses("turns: must be at most", {rod, {Clamp{}, Clamp{.at = End::end, .turns = 1 << 30}}});
+  CHECK_THROWS_AS(rod.placed({Vec3(nan, 0, 0)}), InvalidArgument);
+  CHECK_THROWS_AS(with_vertices(straight(1.0, automatic, section), {1e8}), InvalidArgument);
+  CHECK_THROWS_WITH_AS(precurved(1.0, automatic, section, Vec3(1e9, 0, 0)),
+                       doctest::Contains("edges would be needed"), InvalidArgument);
+}
+
+TEST_CASE("loads that follow and find no hold along a slide are no equilibrium") {
+  const Slider slide{.along = Vec3(1, 0, 0), .clamped = true, .at = End::start};
+  refuses("supports: nothing holds the rods against the force",
+          {rod, {slide}, {Force{{1, 0, 0}, End::end, true}}});
 }
 
 TEST_CASE("settings are looked at as well") {

@@ -231,3 +231,19 @@ def test_both_sides_are_saved(tmp_path: object) -> None:
         np.testing.assert_array_equal(again.K_before, result.K_before)
         np.testing.assert_array_equal(again.moment_before, result.moment_before)
         assert again.largest_K == result.largest_K
+
+
+def test_a_moment_on_a_clamp_bends_nothing_on_coarse_grids_either() -> None:
+    """It took 247 iterations: the coarse grids that the start comes from were bent by it."""
+    rod = straight(80, Section(EI1=1, EI2=1, GJ=1, EA=1e3))
+    scene = Scene(rod, [Clamp(), Clamp(at=0.5)], Moment((0, 1000, 0), at=0.5))
+    result = pyrod.solve(scene)
+    assert result.iterations <= 8
+    np.testing.assert_allclose(result.reactions[1].moment, (0, -1000, 0), atol=1e-9)
+    np.testing.assert_allclose(result.tip, (0, 0, 1), atol=1e-12)
+
+
+def test_places_that_differ_by_rounding_are_one_vertex() -> None:
+    rod = straight(11).with_vertices([0.3, 0.1 + 0.2])
+    assert rod.edges == 12
+    assert rod.edge_lengths.min() > 1e-3

@@ -170,7 +170,9 @@ inline Vector cut(const Vector& h, const std::vector<double>& at) {
     const auto behind = std::upper_bound(s.begin(), s.begin() + std::ptrdiff_t(there), place);
     const int j = std::clamp(int(behind - s.begin()) - 1, 0, grid.edges() - 1);
     const double part = (place - grid.s(j)) / grid.h(j);
-    if (part > 1e-9 && part < 1 - 1e-9) s.push_back(place);
+    const auto is_there = [&](double other) { return std::abs(other - place) <= 1e-9 * grid.h(j); };
+    const bool told = std::any_of(s.begin() + std::ptrdiff_t(there), s.end(), is_there);
+    if (part > 1e-9 && part < 1 - 1e-9 && !told) s.push_back(place);
   }
   if (s.size() == there) return h;
   std::ranges::sort(s);
@@ -208,6 +210,8 @@ inline RodOnGrid on_grid(const RodSpec& spec, int parts = 1) {
 /// The same rod with vertices at the arc lengths [m]. Where the solver chooses the grid, they are
 /// kept.
 inline RodSpec with_vertices(RodSpec spec, const std::vector<double>& at) {
+  const Grid grid(spec.edge_lengths);
+  for (const double s : at) grid.on_rod(s);
   if (is_function(spec.section) || is_function(spec.curvature))
     spec.marks.insert(spec.marks.end(), at.begin(), at.end());
   if (!spec.chooses) {

@@ -34,6 +34,7 @@ struct RodSpec {
   /// The same rod with its start elsewhere at rest.
   RodSpec placed(const Placement<Spatial>& at) const {
     require_rotation(at.frame, "frame");
+    require_finite(at.position, "position");
     RodSpec out = *this;
     out.placement = at;
     return out;
@@ -48,6 +49,8 @@ struct RodSpec {
 
 namespace detail {
 
+inline constexpr double most_edges = 1e8;  // their unknowns are counted in 32 bits
+
 /// As many edges that the rod at rest turns little from edge to edge.
 inline int natural_edges(double length, const Along<Vec3>& curvature) {
   require(std::isfinite(length) && length > 0, "length: must be positive, got ", length);
@@ -59,6 +62,8 @@ inline int natural_edges(double length, const Along<Vec3>& curvature) {
     K = std::max(K, one.norm());
   }
   constexpr double turn = 0.4;  // [rad], the most from edge to edge
+  require(length * K / turn <= most_edges, "curvature: the rod at rest turns by ", length * K,
+          " rad, which more than ", most_edges, " edges would be needed for");
   return std::max(16, 2 * int(std::ceil(length * K / turn / 2)));
 }
 
@@ -76,6 +81,7 @@ inline RodSpec precurved(const Vector& edge_lengths, const Along<Section>& secti
 inline RodSpec precurved(double length, std::optional<int> edges, const Along<Section>& section,
                          const Along<Vec3>& curvature, std::optional<ModelKind> model = {}) {
   const int n = edges ? *edges : detail::natural_edges(length, curvature);
+  require(n <= detail::most_edges, "edges: must be at most ", detail::most_edges, ", got ", n);
   auto out = precurved(Grid::uniform(length, n).edge_lengths(), section, curvature, model);
   out.chooses = !edges;
   return out;

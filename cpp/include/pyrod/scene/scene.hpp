@@ -32,6 +32,30 @@ struct Scene {
         Dimension in = Dimension::spatial)
       : Scene(std::vector{std::move(rod)}, std::move(held), std::move(acting), in) {}
 
+  /// Refuses places and loads on rods that there are not.
+  void check_places() const {
+    require(!rods.empty(), "rods: expected at least one");
+    require(!supports.empty() || !joints.empty(),
+            "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or another "
+            "support");
+    const auto check = [&](int rod, const char* name) {
+      require(rod >= 0 && rod < int(rods.size()), name, ": there is no rod ", rod,
+              ", the scene has ", rods.size());
+    };
+    for (const auto& support : supports) check(place_of(support).rod, "at");
+    for (const auto& joint : joints)
+      for (const auto& place : joint.points) check(place.rod, "at");
+    for (const auto& load : loads)
+      std::visit(
+          [&](const auto& l) {
+            if constexpr (requires { l.at; })
+              check(l.at.rod, "at");
+            else if constexpr (requires { l.rod; })
+              check(l.rod, "rod");
+          },
+          load);
+  }
+
   bool chooses_edges() const {
     return std::ranges::any_of(rods, [](const auto& rod) { return rod.chooses; });
   }

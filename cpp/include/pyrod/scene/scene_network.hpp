@@ -87,7 +87,7 @@ class NetworkMaker {
     auto& meeting = nodes_[node];
     meeting.rigid = joint.kind != JointKind::ball;
     if (joint.axis) meeting.hinge = direction(*joint.axis, "axis");
-    meeting.turns[points.back()] = joint.turns;
+    meeting.turns[points.back()] = checked_turns(joint.turns);
     meeting.aligned = joint.aligned.value_or(are_apart(points));
   }
 
@@ -106,7 +106,14 @@ class NetworkMaker {
             " is held twice");
     meeting.support = &support;
     meeting.held = at;
-    if (const auto* clamp = std::get_if<Clamp>(&support)) meeting.turns[at] = clamp->turns;
+    if (const auto* clamp = std::get_if<Clamp>(&support))
+      meeting.turns[at] = checked_turns(clamp->turns);
+  }
+
+  static int checked_turns(int turns) {
+    constexpr int most = 1000000;
+    require(turns >= -most && turns <= most, "turns: must be at most ", most, ", got ", turns);
+    return turns;
   }
 
   void add_rod(int i) {
@@ -133,6 +140,8 @@ class NetworkMaker {
       }
       held = hold(*meeting.support, frame);
     }
+    require(position.allFinite(), "supports: position: expected finite numbers, got ",
+            position.transpose());
     const auto near = nearest({position, frame});
     Node<Spatial> node;
     node.position = meeting.support ? position : near.position;

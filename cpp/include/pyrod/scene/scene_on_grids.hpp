@@ -10,20 +10,16 @@ namespace pyrod {
 /// The scene with vertices where rods are held and joined; and where point loads act, of rods
 /// whose grid the solver chooses, or of all. Lists of loads become steps, which hold on any grid.
 inline Scene with_vertices_at_places(Scene scene, bool all) {
-  const auto number = [&](int rod, const char* name) {
-    require(rod >= 0 && rod < int(scene.rods.size()), name, ": there is no rod ", rod,
-            ", the scene has ", scene.rods.size());
-    return std::size_t(rod);
-  };
+  scene.check_places();
   std::vector<std::vector<double>> at(scene.rods.size());
   const auto mark = [&](const Place& place, bool point_load) {
-    const auto& rod = scene.rods[number(place.rod, "at")];
+    const auto& rod = scene.rods[std::size_t(place.rod)];
     const double s = place.on(Grid(rod.edge_lengths));
     const bool wanted = !point_load || all || rod.chooses;
     if (wanted && s > 0 && s < rod.length()) at[std::size_t(place.rod)].push_back(s);
   };
   const auto step = [&](Along<Vec3>& along, int rod, const char* name) {
-    const Grid grid(scene.rods[number(rod, "rod")].edge_lengths);
+    const Grid grid(scene.rods[std::size_t(rod)].edge_lengths);
     const auto* list = std::get_if<std::vector<Vec3>>(&along);
     if (!list) return;
     require_count(Eigen::Index(list->size()), grid.edges(), name, "one per edge");
@@ -103,12 +99,9 @@ class LoadedGrid {
 /// are found once, on level 0: on finer grids they are the same by number.
 class SceneOnGrids {
  public:
-  explicit SceneOnGrids(const Scene& scene, int level = 0) : scene_(scene), parts_(1 << level) {
-    require(!scene.rods.empty(), "rods: expected at least one");
-    require(!scene.supports.empty() || !scene.joints.empty(),
-            "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or another "
-            "support");
-    for (const auto& spec : scene.rods) {
+  explicit SceneOnGrids(Scene scene, int level = 0) : scene_(std::move(scene)), parts_(1 << level) {
+    scene_.check_places();
+    for (const auto& spec : scene_.rods) {
       places_.emplace_back(spec.edge_lengths);
       rods_.push_back(on_grid(spec, parts_));
     }
@@ -156,7 +149,7 @@ class SceneOnGrids {
     out.add_weight(gravity.acceleration, rods_[i].mass);
   }
 
-  const Scene& scene_;
+  Scene scene_;
   int parts_;
   std::vector<Grid> places_;  ///< of level 0
   std::vector<RodOnGrid> rods_;

@@ -97,6 +97,11 @@ Loads<Space> merged(const Loads<Space>& loads, const Grid& grid, const std::vect
     });
   for (const auto& c : loads.following_couples)
     out.following_couples.push_back({edge_of(kept, c.edge), c.couple});
+  for (auto c : loads.vertex_couples)  // its parts are on the edges beside it already
+    if (const int J = edge_of(kept, c.vertex); J > 0 && J < m && kept[J] == c.vertex) {
+      c.vertex = J;
+      out.vertex_couples.push_back(c);
+    }
   out.start_couple = loads.start_couple;
   out.end_couple = loads.end_couple;
   out.following_end_couple = loads.following_end_couple;

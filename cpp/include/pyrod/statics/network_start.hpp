@@ -31,8 +31,9 @@ inline NetworkStart start_from(const std::vector<RodSolution<Spatial>>& rods,
     out.frames.insert(out.frames.end(), frames.begin(), frames.end());
   }
   std::vector<const Attachment<Spatial>*> first(net.nodes.size(), nullptr);
+  const auto has_frame = [](const auto* a) { return a && a->rigid && !a->hinge; };
   for (const auto& a : net.attachments)
-    if (!first[a.node]) first[a.node] = &a;
+    if (!first[a.node] || (has_frame(&a) && !has_frame(first[a.node]))) first[a.node] = &a;
   for (std::size_t v = 0; v < net.nodes.size(); ++v) {
     const auto* a = first[v];
     out.positions.push_back(a ? rods[a->rod].curve.positions[a->vertex] : net.nodes[v].position);

@@ -54,6 +54,8 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   for (const auto& F : loads.force) scale = std::max(scale, F.norm());
   double spin_scale = std::max(loads.end_couple.norm(), loads.start_couple.norm());
   for (const auto& m : loads.couple) spin_scale = std::max(spin_scale, m.norm());
+  for (const auto& c : loads.vertex_couples)  // which may cancel on the edges
+    if (!c.follows) spin_scale = std::max(spin_scale, c.couple.norm());
 
   Loads<Space> out(int(loads.couple.size()));
   const auto point = [&](const Vec3& F) {

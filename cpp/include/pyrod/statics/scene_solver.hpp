@@ -21,12 +21,14 @@ template <class S>
 class SceneSolver {
  public:
   SceneSolver(const Scene& given, const S& settings) : settings_(settings) {
-    require(!given.rods.empty(), "rods: expected at least one");
+    given.check_places();
     tol_ = settings.tol;
     if (!tol_ && given.chooses_edges()) tol_ = 1e-6;
     if (tol_) require(*tol_ > 0 && *tol_ <= 0.1, "tol: must be a number in (0, 0.1], got ", *tol_);
     settings.options.check();
     scene_.emplace(with_vertices_at_places(given, tol_.has_value()));
+    if (tol_ && (settings.start || !settings.frames.empty()))
+      given_ = with_vertices_at_places(given, false).rods;
     level0_.emplace(*scene_);
     network_ = network_of(*level0_);
   }
@@ -48,11 +50,47 @@ class SceneSolver {
   Start start() const {
     const bool frames = !settings_.frames.empty();
     require(!frames || !settings_.start, "start: give it or frames, not both");
-    if (settings_.start) return start_from(settings_.start->found.rods, network_.network);
-    if (!frames) return std::nullopt;
+    if (!settings_.start && !frames) return std::nullopt;
     NetworkStart out;
-    out.frames = settings_.frames;
+    if (settings_.start)
+      for (const auto& rod : settings_.start->found.rods)
+        out.frames.insert(out.frames.end(), rod.curve.frames.begin(), rod.curve.frames.end());
+    else
+      out.frames = settings_.frames;
+    if (brought(out.frames)) return out;
+    if (settings_.start) return start_from(settings_.start->found.rods, network_.network);
+    if (scene_->rods.size() == 1) continue_signs(out.frames);
     return out;
+  }
+
+  /// Frames of the edges that were given, on those of level 0, where that has more vertices.
+  bool brought(std::vector<Quaternion>& frames) const {
+    std::size_t edges = 0;
+    for (const auto& rod : given_) edges += std::size_t(rod.edges());
+    std::vector<Quaternion> out;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < given_.size() && frames.size() == edges; ++i) {
+      const Grid old(given_[i].edge_lengths);
+      const auto& ends = old.arc_lengths();
+      for (const double s : centres(network_.network.rods[i].grid.arc_lengths())) {
+        const auto behind = std::upper_bound(ends.begin(), ends.end(), s) - ends.begin();
+        out.push_back(frames[first + std::size_t(std::clamp<std::ptrdiff_t>(behind - 1, 0,
+                                                                            old.edges() - 1))]);
+      }
+      first += std::size_t(old.edges());
+    }
+    if (out.empty() || out.size() == frames.size()) return false;
+    frames = std::move(out);
+    return true;
+  }
+
+  /// A turn of the first cell may reach 2π: the signs go on from where the rod is held.
+  void continue_signs(std::vector<Quaternion>& frames) const {
+    Quaternion before = network_.plane.frame;
+    for (auto& q : frames) {
+      if (before.dot(q) < 0) q.coeffs() *= -1;
+      before = q;
+    }
   }
 
   /// Frames of a start on level 0 must be those of its edges.
@@ -71,10 +109,17 @@ class SceneSolver {
       auto climbed = ladder.climb(start, settings_.options, more(), *tol_, settings_.trace);
       out.found = std::move(climbed.solution);
       out.accuracy = Accuracy{*tol_, climbed.reached};
+      if (cantilever) {  // its reactions are told by the forces and moments at the clamp
+        auto& errors = out.accuracy->reached.errors;
+        for (const auto& [told, by] : {std::pair(Quantity::reactions, Quantity::forces),
+                                       std::pair(Quantity::reaction_moments, Quantity::moments)})
+          errors[std::size_t(told)] = errors[std::size_t(by)];
+      }
     } else {
       out.found = cantilever ? as_cantilever(start) : as_network(start);
     }
     react(out, cantilever);
+    refuse_drift(out);
     look_at(out);
     return out;
   }
@@ -150,7 +195,29 @@ class SceneSolver {
   }
 
   bool has_corners() const {
-    return std::ranges::any_of(scene_->rods, [](const auto& rod) { return rod.corners; });
+    for (std::size_t i = 0; i < scene_->rods.size(); ++i)
+      if (scene_->rods[i].corners &&
+          std::ranges::any_of(level0_->rod(int(i)).K0, [](const Vec3& K) { return !K.isZero(0); }))
+        return true;
+    return false;
+  }
+
+  /// Forces that follow the rods, in directions in which nothing holds these: no equilibrium. Of
+  /// dead forces it is known before the solve.
+  void refuse_drift(const Equilibrium& out) const {
+    if (!out.converged() || !scene_->has_followers()) return;
+    Vec3 left = Vec3::Zero();
+    double sizes = 0;
+    const auto act = [&](const Vec3& F) { left += F, sizes += F.norm(); };
+    for (const auto& rod : out.found.rods)
+      for (const auto& F : rod.load) act(F);
+    for (const auto& reaction : out.reactions) act(reaction.force);
+    for (std::size_t i = 0; i < out.reactions.size(); ++i) {
+      const auto& node = network_.network.nodes[std::size_t(network_.support_nodes[i])];
+      if (node.spring == 0) left -= node.free * (node.free.transpose() * out.reactions[i].force);
+    }
+    require(left.norm() <= 1e-6 * sizes, "supports: nothing holds the rods against the force ",
+            left.transpose(), " of the loads that follow them; hold a point of them");
   }
 
   /// What a user should know before trusting it.
@@ -193,6 +260,7 @@ class SceneSolver {
   const S& settings_;
   std::optional<double> tol_;
   std::optional<Scene> scene_;  ///< with vertices at all places
+  std::vector<RodSpec> given_;  ///< as a start has them, if these may have fewer
   std::optional<SceneOnGrids> level0_;
   SceneNetwork network_;
 };

@@ -44,6 +44,7 @@ Solution<Spatial> solve(const Rod<Spatial>& rod, const Placement<Spatial>& clamp
                         const Loads<Spatial>& loads, const std::vector<Quaternion>& start = {},
                         const Options& options = {}, const Trace& trace = {}) {
   require_rotation(clamp.frame, "clamp.frame");
+  require_finite(clamp.position, "clamp.position");
   if (!start.empty()) require_frames(start, rod.edges(), "start");
   const Cantilever<Space, Model> scene(restricted<Space>(rod), Point<Space>::Zero(),
                                        Space::Rotation::Identity(),

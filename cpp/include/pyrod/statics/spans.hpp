@@ -100,7 +100,7 @@ class Spans {
           continue;
         const int n = net_.rods[a.rod].edges();
         const bool end = !closed(a.rod) && (a.vertex == 0 || a.vertex == n);
-        if (!end && !node.moment.isZero(0)) continue;
+        if ((!end && !node.moment.isZero(0)) || !node.following_moment.isZero(0)) continue;
         if (end)
           (a.vertex == 0 ? net_.loads[a.rod].start_couple : net_.loads[a.rod].end_couple) +=
               node.moment;
