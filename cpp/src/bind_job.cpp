@@ -58,15 +58,21 @@ py::dict record(const std::vector<Iteration>& lines) {
   return out;
 }
 
-/// Largest turn from edge to edge [rad] and its vertex; least stretch and its edge.
+/// Largest turn from edge to edge [rad] and its vertex; least stretch and its edge; largest strain,
+/// its edge, and whether it is a shear.
 py::tuple doubts(const RodSolution<Spatial>& s, const Rod<Spatial>& rod) {
   double turn = 0, stretch = std::numeric_limits<double>::infinity();
-  int vertex = 0, edge = 0;
+  double strain = 0;
+  int vertex = 0, edge = 0, strained = 0, component = 0;
   for (int j = 0; j < int(s.strains.K.size()); ++j)
     if (const double u = rod.grid.Δs(j) * s.strains.K[j].norm(); !(u <= turn)) turn = u, vertex = j;
-  for (int j = 0; j < int(s.strains.Γ.size()); ++j)
+  for (int j = 0; j < int(s.strains.Γ.size()); ++j) {
     if (const double Γ = s.strains.Γ[j].z(); !(Γ >= stretch)) stretch = Γ, edge = j;
-  return py::make_tuple(turn, vertex, stretch, edge);
+    Eigen::Index most = 0;
+    const double here = (s.strains.Γ[j] - Vec3::UnitZ()).cwiseAbs().maxCoeff(&most);
+    if (here > strain) strain = here, strained = j, component = int(most);
+  }
+  return py::make_tuple(turn, vertex, stretch, edge, strain, strained, component < 2);
 }
 
 void bind_rod_solution(py::module_& module) {

@@ -70,7 +70,7 @@ class Reach:
 
 def _is_absurd(result: Equilibrium) -> bool:
     for rod in result.rods:
-        turn, _, stretch, _ = rod._source.doubts(rod.rod._rod)
+        turn, _, stretch, *_ = rod._source.doubts(rod.rod._rod)
         if stretch <= 0 or turn > pi:
             return True
     return False

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod._core import Options
-from pyrod._immutable import Array
 from pyrod._jobs import How, Job
 from pyrod._progress import iterations
 from pyrod.equilibrium import Equilibrium
@@ -22,7 +21,6 @@ from pyrod.section import Model
 
 MOST_STRAIN = 3.0
 """Of an edge, in stretch or shear: beyond what rubber does, so units are wrong more likely."""
-E3 = np.array([0.0, 0.0, 1.0])
 
 
 def solve(
@@ -163,15 +161,20 @@ def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], s
         yield AccuracyWarning, message
     for number, rod in enumerate(result.rods):
         of = f" of rod {number}" if len(result.rods) > 1 else ""
-        turn, vertex, stretch, edge = rod._source.doubts(rod.rod._rod)
+        turn, vertex, stretch, edge, strain, strained, sheared = rod._source.doubts(rod.rod._rod)
         if stretch <= 0:
             message = (
                 f"edge {edge}{of} is compressed to {stretch:.3g} of its length, turned inside "
                 "out: the loads exceed what EA allows"
             )
             yield StrainWarning, message
-        elif rod.rod.model != "inextensible" and (strained := _strained(rod.Gamma)):
-            message = f"edge {strained}{of}: EA or GA and the loads do not fit, look at their units"
+        elif strain > MOST_STRAIN:
+            stretched = f"stretched to {1 + strain:.4g} times its length"
+            how = f"sheared by {strain:.3g}" if sheared else stretched
+            message = (
+                f"edge {strained}{of} is {how}: EA or GA and the loads do not fit, look at their "
+                "units"
+            )
             yield StrainWarning, message
         if turn > np.pi and result.accuracy is None:  # else it was solved on finer grids
             message = (
@@ -179,17 +182,6 @@ def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], s
                 "for the shape to mean anything"
             )
             yield StrainWarning, message
-
-
-def _strained(Gamma: Array) -> str | None:
-    """The edge that is stretched or sheared most, if that is much; none is turned inside out."""
-    strain = np.abs(Gamma - E3)
-    if not strain.max() > MOST_STRAIN:
-        return None
-    edge = int(strain.max(axis=1).argmax())
-    if strain[edge, 2] < strain[edge].max():
-        return f"{edge} is sheared by {strain[edge].max():.3g}"
-    return f"{edge} is stretched to {Gamma[edge, 2]:.4g} times its length"
 
 
 def refuse_drift(result: Equilibrium) -> None:

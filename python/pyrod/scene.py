@@ -108,6 +108,8 @@ class Scene(Immutable, Savable):
         """The number of the rod, and of its vertex nearest to a place."""
         coarse = self._coarsest or self
         number, s = on_rod(at, coarse.rods)
+        if s == 0.0:
+            return number, 0
         vertex = int(abs(coarse.rods[number].arc_lengths - s).argmin())
         return number, vertex * (self.rods[number].edges // coarse.rods[number].edges)
 
