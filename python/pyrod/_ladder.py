@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from pyrod import _core
 from pyrod._breaks import Breaks, breaks_of, functions_of
 from pyrod._immutable import Array
 from pyrod._places import with_vertices
-from pyrod.loads import any_function, load_places, stepwise_load
+from pyrod.loads import any_function, load_places, load_steps, stepwise_load
 
 if TYPE_CHECKING:
     from pyrod.rod import Rod
@@ -128,6 +128,9 @@ def _with_breaks(scene: Scene) -> tuple[Scene, str | None]:
     are not regular. Also tells, in words, what has more kinks than can be told apart.
     """
     rods, unresolved = list(with_vertices(scene.rods, load_places(scene.loads))), None
+    for number, at in load_steps(scene.loads, scene.rods):
+        if rods[number]._breaks is not None:  # else they are vertices
+            rods[number] = _broken(rods[number], at)
     for number, rod in enumerate(rods):
         for name, owner, function in functions_of(rod, scene.loads, number):
             breaks = _kept_breaks(owner, name, function, rod.length)
@@ -139,9 +142,9 @@ def _with_breaks(scene: Scene) -> tuple[Scene, str | None]:
     return type(scene)(rods, scene.supports, loads, scene.space, scene.joints), unresolved
 
 
-def _broken(rod: Rod, at: tuple[float, ...]) -> Rod:
+def _broken(rod: Rod, at: Sequence[float] | Array) -> Rod:
     """The rod with vertices at the breaks; they are vertices that are there, if so near."""
-    if not at:
+    if len(at) == 0:
         return rod
     there = rod.arc_lengths if rod._breaks is None else np.array([0.0, *rod._breaks, rod.length])
     nearest = there[np.abs(np.subtract.outer(at, there)).argmin(axis=1)]

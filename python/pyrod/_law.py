@@ -106,12 +106,17 @@ class Made:
         K0[at] = (before * sides[:, 1] + behind * sides[:, 3]) / (before + behind)
         return smooth._replace(bending=bending, K0=K0, jumps=(at.tolist(), sides))
 
+    @property
+    def steps(self) -> tuple[float, ...]:
+        """Arc lengths at which the sections of a sequence change."""
+        if not isinstance(self.section, (list, tuple)):
+            return ()
+        ends = _arc_lengths(self.base)[1:-1]
+        pairs = zip(self.section, self.section[1:])  # noqa: B905  one end fewer
+        return tuple(float(s) for s, (a, b) in zip(ends, pairs, strict=True) if a != b)
+
     def _jumping_vertices(self, h: Array) -> Array:
-        s, places = _arc_lengths(h), []
-        if isinstance(self.section, (list, tuple)):
-            ends = _arc_lengths(self.base)[1:-1]
-            pairs = zip(self.section, self.section[1:])  # noqa: B905  one end fewer
-            places += [end for end, (a, b) in zip(ends, pairs, strict=True) if a != b]
+        s, places = _arc_lengths(h), list(self.steps)
         if callable(self.section) or callable(self.curvature):
             places += self.marks
         near = np.searchsorted(s, np.array(places) - 1e-9 * s[-1]).astype(int)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Union
 
@@ -152,6 +152,16 @@ def load_places(loads: tuple[Load, ...]) -> list[Place]:
     return [load.at for load in loads if isinstance(load, (Force, Moment))]
 
 
+def load_steps(loads: tuple[Load, ...], rods: tuple[Rod, ...]) -> Iterator[tuple[int, Array]]:
+    """Of values given edge by edge: the number of the rod, and where along it they change."""
+    for load in loads:
+        if isinstance(load, (DistributedForce, DistributedMoment)):
+            kept = stepwise_load(load, rods)
+            along = getattr(kept, "force_per_length", getattr(kept, "moment_per_length", None))
+            if isinstance(along, _Steps):
+                yield load.rod, along.steps
+
+
 def _number(rod: int, rods: tuple[Rod, ...]) -> int:
     if not 0 <= rod < len(rods):
         raise ValueError(f"rod: there is no rod {rod}, the scene has {len(rods)}")
@@ -184,6 +194,11 @@ def stepwise_load(load: Load, rods: tuple[Rod, ...]) -> Load:
 class _Steps:
     values: Array
     ends: Array
+
+    @property
+    def steps(self) -> Array:
+        """Arc lengths at which the value changes."""
+        return self.ends[1:-1][(self.values[1:] != self.values[:-1]).any(axis=1)]
 
     def __call__(self, s: float) -> Array:
         edge = int(np.searchsorted(self.ends, s, "right")) - 1

@@ -160,7 +160,7 @@ class Rod(Immutable):
             mass_per_length=made.mass,
             _law=law,
             _made=made,
-            _breaks=() if free else None,
+            _breaks=law.steps if free else None,  # sections keep their ends on any grid
         )
 
     @classmethod

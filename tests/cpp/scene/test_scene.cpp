@@ -206,6 +206,29 @@ TEST_CASE("places that differ by rounding are one vertex") {
   balances(found);
 }
 
+TEST_CASE("lists keep the ends of their edges on the solver's own grid; functions are doubted") {
+  const auto tip = [](const Along<Section>& section, const Along<Vec3>& force, bool function) {
+    const Scene scene(straight(1.0, automatic, section), {Clamp{}},
+                      {Force{{1, 0, 0}, 0.37}, DistributedForce{force}});
+    const auto found = solve(scene, {.tol = 1e-8});
+    CHECK(found.doubts.size() == std::size_t(function));
+    return found.tip();
+  };
+  std::vector<Section> sections(8, round_one);
+  sections.insert(sections.end(), 8, Section(4, 4, 3));
+  std::vector<Vec3> forces(7, Vec3(2, 0, 0));
+  forces.insert(forces.end(), 9, Vec3(0, 0, 0));
+  const auto section = [&](double s) { return s < 0.5 ? sections[0] : sections[15]; };
+  const auto force = [&](double s) { return s < 7. / 16 ? forces[0] : forces[15]; };
+  const Vec3 lists = tip(sections, forces, false);
+  Scene marked(with_vertices(straight(1.0, automatic, section), {0.5, 7. / 16}), {Clamp{}},
+               {Force{{1, 0, 0}, 0.37}, DistributedForce{force}});
+  const auto functions = solve(marked, {.tol = 1e-8});
+  CHECK((functions.tip() - lists).norm() < 2e-8);
+  CHECK(functions.doubts.size() == 1);
+  tip([](double s) { return Section(1 + s, 1, 0.7); }, Vec3(1, 0, 0), true);
+}
+
 TEST_CASE("saddles are left for stable shapes, or kept and doubted") {
   const Scene column(straight(1.0, 32, Section(1, 3, 0.8)), {Clamp{}}, {Force{{0, 0, -4}}});
   const auto buckled = solve(column), upright = solve(column, {.stable = false});

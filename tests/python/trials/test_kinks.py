@@ -226,3 +226,31 @@ def test_the_search_is_made_once() -> None:
         assert scene._ladder.scene.rod.edges >= 16
         counts.append(len(asked) - before)
     assert counts[1] < 150 < counts[0]
+
+
+@pytest.mark.parametrize("at", [0.3, 0.37])
+def test_sections_edge_by_edge_keep_their_ends_on_the_solvers_own_grid(at: float) -> None:
+    """A load between them moved the grid, and 1e-5 was off where 8e-9 was told."""
+    thin, thick = Section(1, 1, 1), Section(4, 4, 4)
+    loads = [Force((3, 0, 0)), Force((1, 0, 0), at=at)]
+
+    def tip(section: object) -> Array:
+        rod = Rod.straight(1.0, None, section)
+        return pyrod.solve(Scene(rod, Clamp(), loads), tol=1e-7).tip
+
+    told = tip(lambda s: thin if s < 0.5 else thick)
+    np.testing.assert_allclose(tip([thin] * 8 + [thick] * 8), told, rtol=0, atol=2e-8)
+
+
+def test_loads_edge_by_edge_keep_their_ends_on_the_solvers_own_grid() -> None:
+    """Beside a load whose step moves the grid."""
+    values = np.where(np.arange(16)[:, None] < 7, (2.0, 0, 0), (0, 0, 0))
+    step = DistributedForce(lambda s: (0, 0, 3.0) if s < 0.61 else (0, 0, 0))
+
+    def tip(force: object) -> Array:
+        rod = Rod.straight(1.0, None, Section(1, 1, 1))
+        loads = [DistributedForce(force), step]
+        return pyrod.solve(Scene(rod, Clamp(), loads), tol=1e-7).tip
+
+    told = tip(lambda s: (2.0, 0, 0) if s < 7 / 16 else (0, 0, 0))
+    np.testing.assert_allclose(tip(values), told, rtol=0, atol=2e-8)

@@ -113,10 +113,7 @@ class RodMaker {
 
   /// Inner vertices at which sections of a list differ, or functions may jump.
   std::vector<int> jumping_vertices() const {
-    std::vector<double> places;
-    if (const auto* list = std::get_if<std::vector<Section>>(&spec_.section))
-      for (std::size_t i = 1; i < list->size(); ++i)
-        if ((*list)[i] != (*list)[i - 1]) places.push_back(base_.s(int(i)));
+    std::vector<double> places = steps(spec_);
     if (is_function(spec_.section) || is_function(spec_.curvature))
       places.insert(places.end(), spec_.marks.begin(), spec_.marks.end());
     std::vector<int> out;

@@ -49,6 +49,16 @@ struct RodSpec {
 
 namespace detail {
 
+/// Arc lengths at which the sections of a list change.
+inline std::vector<double> steps(const RodSpec& spec) {
+  std::vector<double> out;
+  const auto* list = std::get_if<std::vector<Section>>(&spec.section);
+  const Grid base(spec.base);
+  for (std::size_t i = 1; list && i < std::min(list->size(), std::size_t(base.edges())); ++i)
+    if ((*list)[i] != (*list)[i - 1]) out.push_back(base.s(int(i)));
+  return out;
+}
+
 inline constexpr double most_edges = 1e8;  // their unknowns are counted in 32 bits
 
 /// As many edges that the rod at rest turns little from edge to edge.
@@ -84,6 +94,7 @@ inline RodSpec precurved(double length, std::optional<int> edges, const Along<Se
   require(n <= detail::most_edges, "edges: must be at most ", detail::most_edges, ", got ", n);
   auto out = precurved(Grid::uniform(length, n).edge_lengths(), section, curvature, model);
   out.chooses = !edges;
+  if (out.chooses) out.kept = detail::steps(out);  // sections keep their ends on any grid
   return out;
 }
 

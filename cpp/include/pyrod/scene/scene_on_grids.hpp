@@ -19,10 +19,13 @@ inline Scene with_vertices_at_places(Scene scene, bool all) {
     if (wanted && s > 0 && s < rod.length()) at[std::size_t(place.rod)].push_back(s);
   };
   const auto step = [&](Along<Vec3>& along, int rod, const char* name) {
-    const Grid grid(scene.rods[std::size_t(rod)].edge_lengths);
+    const auto& spec = scene.rods[std::size_t(rod)];
+    const Grid grid(spec.edge_lengths);
     const auto* list = std::get_if<std::vector<Vec3>>(&along);
     if (!list) return;
     require_count(Eigen::Index(list->size()), grid.edges(), name, "one per edge");
+    for (std::size_t j = 1; spec.chooses && j < list->size(); ++j)
+      if ((*list)[j] != (*list)[j - 1]) at[std::size_t(rod)].push_back(grid.s(int(j)));
     along = [values = *list, ends = grid.arc_lengths()](double s) {
       const auto behind = std::upper_bound(ends.begin(), ends.end(), s) - ends.begin();
       return values[std::size_t(std::clamp<std::ptrdiff_t>(behind - 1, 0, ends.size() - 2))];

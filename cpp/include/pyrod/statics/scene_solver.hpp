@@ -20,7 +20,8 @@ inline bool is_cantilever(const Scene& scene) {
 template <class S>
 class SceneSolver {
  public:
-  SceneSolver(const Scene& given, const S& settings) : settings_(settings) {
+  SceneSolver(const Scene& given, const S& settings)
+      : settings_(settings), given_loads_(given.loads) {
     given.check_places();
     tol_ = settings.tol;
     if (!tol_ && given.chooses_edges()) tol_ = 1e-6;
@@ -163,6 +164,7 @@ class SceneSolver {
     return in_space(scene_->space, [&]<class Space>(Space) -> Level {
       if (!cantilever)
         return network_level<Space>([this](int level) -> PlacedNetwork {
+          if (level == 0) return {network_.network, network_.plane};
           auto made = network_of(SceneOnGrids(*scene_, level));
           return {std::move(made.network), made.plane};
         });
@@ -220,6 +222,21 @@ class SceneSolver {
             left.transpose(), " of the loads that follow them; hold a point of them");
   }
 
+  /// Whether a user's function is asked on every grid; steps of lists have vertices.
+  bool asks_functions() const {
+    const auto of_load = [](const Load& load) {
+      if (const auto* along = std::get_if<DistributedForce>(&load))
+        return is_function(along->force_per_length);
+      if (const auto* along = std::get_if<DistributedMoment>(&load))
+        return is_function(along->moment_per_length);
+      return false;
+    };
+    return std::ranges::any_of(given_loads_, of_load) ||
+           std::ranges::any_of(scene_->rods, [](const auto& rod) {
+             return is_function(rod.section) || is_function(rod.curvature);
+           });
+  }
+
   /// What a user should know before trusting it.
   void look_at(Equilibrium& out) const {
     const auto doubt = [&](const auto&... words) { out.doubts.push_back(text(words...)); };
@@ -233,6 +250,10 @@ class SceneSolver {
     if (out.accuracy && out.converged() && out.accuracy->largest() > *tol_)
       doubt("rounding allows no more than ", out.accuracy->largest(),
             ": small differences of large numbers, as the stretch of a stiff member is of lengths");
+    if (out.accuracy && out.converged() && asks_functions())
+      doubt(
+          "functions of arc length are taken to be smooth between vertices: give the places where "
+          "one jumps or has a kink vertices (with_vertices), else errors may be told too small");
     for (std::size_t i = 0; i < out.made.size(); ++i) look_at(out, int(i), doubt);
   }
 
@@ -258,6 +279,7 @@ class SceneSolver {
   }
 
   const S& settings_;
+  const std::vector<Load>& given_loads_;
   std::optional<double> tol_;
   std::optional<Scene> scene_;  ///< with vertices at all places
   std::vector<RodSpec> given_;  ///< as a start has them, if these may have fewer
