@@ -27,10 +27,11 @@ void section(py::module_& module);
 void curve(py::module_& module);
 void arc(py::module_& module);
 void rod(py::module_& module);
-void statics(py::module_& module);
-void network(py::module_& module);
-void ladder(py::module_& module);
-void job(py::module_& module);
+void options(py::module_& module);
+void breaks(py::module_& module);
+void parts(py::module_& module);
+void equilibrium(py::module_& module);
+void scene(py::module_& module);
 
 inline std::string shape_of(const Array& a) {
   return py::str(py::tuple(a.attr("shape"))).cast<std::string>();

@@ -35,10 +35,11 @@ PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   pyrod::bind::curve(module);
   pyrod::bind::arc(module);
   pyrod::bind::rod(module);
-  pyrod::bind::job(module);
-  pyrod::bind::statics(module);
-  pyrod::bind::network(module);
-  pyrod::bind::ladder(module);
+  pyrod::bind::breaks(module);
+  pyrod::bind::options(module);
+  pyrod::bind::parts(module);
+  pyrod::bind::equilibrium(module);
+  pyrod::bind::scene(module);
   module.def("build", &pyrod::bind::build,
              "Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.");
 }

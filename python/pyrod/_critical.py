@@ -16,7 +16,7 @@ from pyrod._immutable import Array, Immutable
 from pyrod._limit import limit_of
 from pyrod._path import Path
 from pyrod._reach import Reach
-from pyrod._solve import doubts, solve
+from pyrod._solve import solve, warn_of
 from pyrod._state import Kind, Loss
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import AccuracyWarning
@@ -140,8 +140,7 @@ def _critical(path: Path, losses: list[Loss]) -> Critical:
                 "smooth inside an edge; give that place a vertex (Rod.with_vertices)"
             )
             warnings.warn(message, AccuracyWarning, stacklevel=3)
-    for category, message in doubts(first.at.result, stable=False):
-        warnings.warn(message, category, stacklevel=3)
+    warn_of(first.at.result, stacklevel=4)
     after = first.index_after
     return Critical(first.kind, factor, error, first.at.result, first.at.factor, after, path)
 

@@ -30,9 +30,9 @@ class Grids:
         options: Options,
         start: Equilibrium | ArrayLike | None,
     ) -> None:
-        self._scene = scene._ladder.scene
+        self._scene = scene._climbing
         self.first = on_its_grid(self._scene)  #: the scene on its own edges
-        self._start = None if start is None else scene._ladder.brought(_frames(start))
+        self._start = None if start is None else scene._core.on_climbing_edges(_frames(start))
         self._more = growing, options
         self._paths: list[Path] = []
 
@@ -42,7 +42,7 @@ class Grids:
             self._paths.append(Path(self.first, *self._more, self._start))
         while len(self._paths) <= level:
             before = halved(self._paths[-1].start.result)
-            grid = self._scene._ladder._at(len(self._paths))
+            grid = self._scene._refined(len(self._paths))
             self._paths.append(Path(grid, *self._more, before))
         return self._paths[level]
 

@@ -1,20 +1,15 @@
-"""Scenes to be solved as jobs for the compiled solver, and what they return as equilibria."""
+"""What the compiled solver takes, and what it returns as an equilibrium."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
-
-import numpy as np
 
 from pyrod import _core
 from pyrod._arrays import number_as
 from pyrod._core import Options
-from pyrod._immutable import sealed
-from pyrod._progress import Watch
 from pyrod.accuracy import accuracy_of
 from pyrod.equilibrium import Equilibrium, Reaction, RodEquilibrium
-from pyrod.rotation import as_frames, continued
+from pyrod.rotation import as_frames
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -33,82 +28,9 @@ class How(NamedTuple):
     eigenvalue: bool
     tol: float | None
 
-
-class Job:
-    """A scene, and how it is to be solved."""
-
-    def __init__(self, scene: Scene, start: Equilibrium | ArrayLike | None, how: How) -> None:
-        if how.tol is None and scene._chooses_edges:
-            how = how._replace(tol=DEFAULT_TOLERANCE)
-        self.how = how._replace(tol=checked_tolerance(how.tol))
-        self.scene = scene if how.tol is None else scene._ladder.scene
-        self.network = not (self.scene.is_cantilever and how.stable and not how.eigenvalue)
-        self.compiled = self._compiled(_start(start, self.scene, self.network))
-
-    def run(self, trace: Callable[..., Any] | None) -> _core.Solution:
-        """What the job finds; a ``trace`` that watches jobs is shown this one."""
-        if isinstance(trace, Watch):
-            trace.job = self.compiled
-        return self.compiled.run(trace)
-
-    def _compiled(self, start: tuple[Any, ...] | None) -> _core.Job:
-        scene, (options, stable, eigenvalue, tol) = self.scene, self.how
-        if tol is not None:
-            ladder = scene._ladder.compiled(self.network)
-            if start is not None:
-                start = scene._ladder.brought(start[0]), *start[1:]
-            return ladder.job(start, options, stable, eigenvalue, tol)
-        space = _core.Dimension.__members__[scene.space]
-        if self.network:
-            net = scene._network.compiled
-            return net.job(space, *scene.plane, start, options, stable, eigenvalue)
-        rod = scene.rods[0]
-        model = _core.Model.__members__[rod.model]
-        held = scene.clamp_position, scene.clamp_frame
-        args = rod._rod, space, model, *held, scene._loads[0]
-        return _core.cantilever_job(*args, start, options)
-
-    def again(self, found: _core.Solution) -> Job | None:
-        """The job that leaves a saddle, if that was found; it can be left as a network only."""
-        if self.network or found.index <= 0:
-            return None
-        other = object.__new__(Job)
-        other.how, other.scene, other.network = self.how, self.scene, True
-        frames = found.rods[0].frames
-        other.compiled = other._compiled((frames, *_NO_NODES))
-        return other
-
-    def equilibrium(
-        self, found: _core.Solution, time: float, choice: str | None = None
-    ) -> Equilibrium:
-        """What was found."""
-        scene = self.scene
-        rods = tuple(map(RodEquilibrium._of, scene.rods, found.rods))
-        nodes = None
-        if self.network:
-            forces, moments = found.reaction_forces, found.reaction_moments
-            at = scene._network.support_nodes()
-            reactions = tuple(Reaction(forces[v], moments[v]) for v in at)
-            nodes = found.node_positions, found.node_frames
-        else:
-            loads = scene._loads[0]
-            acting = loads.force if self.how.tol is None else rods[0].load  # of the limit
-            force, moment = -acting.sum(axis=0), -rods[0].moment[0] - loads.start_moment
-            reactions = (Reaction(*sealed((force, moment))),)
-        return Equilibrium._of(
-            found,
-            scene=scene,
-            rods=rods,
-            reactions=reactions,
-            time=time,
-            lowest_eigenvalue=found.lowest_eigenvalue if self.how.eigenvalue else None,
-            accuracy=accuracy_of(self.how.tol, found.reached, self.network, found.neutral),
-            choice=choice,
-            _nodes=nodes,
-        )
-
-
-_NO_NODES = sealed((np.zeros((0, 3)), np.zeros((0, 4))))
+    def checked(self) -> How:
+        """The same; refuses a tolerance that is none."""
+        return self._replace(tol=checked_tolerance(self.tol))
 
 
 def checked_tolerance(tol: float | None) -> float | None:
@@ -122,45 +44,41 @@ def checked_tolerance(tol: float | None) -> float | None:
     return value
 
 
-def _start(
-    start: Equilibrium | ArrayLike | None, scene: Scene, network: bool
-) -> tuple[Any, ...] | None:
+def start_of(start: Equilibrium | ArrayLike | None, scene: Scene) -> Any:
+    """What the compiled solver takes to start from: frames, or the shape of each rod."""
     if start is None:
         return None
-    if isinstance(start, Equilibrium):
-        _refuse_other_edges(start, scene)
-        frames = np.vstack([rod.frames for rod in start.rods])
-        return (frames, *(_nodes_near(start, scene) if network else _NO_NODES))
-    frames = as_frames(start, "start")
-    if len(scene.rods) == 1:
-        first = scene.clamp_frame if scene.supports else frames[0]
-        frames = continued(np.vstack([first, frames]))[1:]
-    return (frames, *_NO_NODES)
+    if not isinstance(start, Equilibrium):
+        return as_frames(start, "start")
+    _refuse_other_edges(start, scene)
+    return [(rod.positions, rod.vertex_frames, rod.frames) for rod in start.rods]
 
 
 def _refuse_other_edges(start: Equilibrium, scene: Scene) -> None:
     had = [len(rod.frames) for rod in start.rods]
-    edges = [rod.edges for rod in scene.rods]
-    if had != edges:
-        expected, got = (", ".join(map(str, counts)) for counts in (edges, had))
+    edges = [[rod.edges for rod in one.rods] for one in (scene, scene._climbing)]
+    if had not in edges:
+        expected, got = (", ".join(map(str, counts)) for counts in (edges[0], had))
         raise ValueError(
             f"start: expected {expected} rows, as many as the rods have edges, got {got}; a "
             "support or a joint between two vertices gives its rod one more"
         )
 
 
-def _nodes_near(start: Equilibrium, scene: Scene) -> tuple[Any, Any]:
-    """Positions and frames of the scene's nodes in an equilibrium, perhaps of another scene.
-
-    A node is matched by what it is, see `Network.places`; others are placed by the rods.
-    """
-    known: dict[tuple[int, float], tuple[Any, Any]] = {}
-    if start._nodes is not None:
-        places = start.scene._network.places()
-        known = dict(zip(places, zip(*start._nodes, strict=True), strict=False))  # free ends: none
-    found = []
-    for place, (i, j) in zip(scene._network.places(), scene._network.points, strict=True):
-        rod = start.rods[i]
-        found.append(known.get(place, (rod.positions[j], rod.vertex_frames[j])))
-    positions, frames = zip(*found, strict=True)
-    return np.array(positions), np.array(frames)
+def equilibrium_of(
+    scene: Scene, found: _core.Equilibrium, how: How, time: float, choice: str | None = None
+) -> Equilibrium:
+    """What was found."""
+    accuracy = accuracy_of(found.accuracy, found.neutral)
+    if accuracy is not None:
+        scene = scene._climbing
+    return Equilibrium._of(
+        found,
+        scene=scene,
+        rods=tuple(map(RodEquilibrium._of, scene.rods, found.rods)),
+        reactions=tuple(Reaction(*reaction) for reaction in found.reactions),
+        time=time,
+        lowest_eigenvalue=found.lowest_eigenvalue if how.eigenvalue else None,
+        accuracy=accuracy,
+        choice=choice,
+    )

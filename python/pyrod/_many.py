@@ -9,7 +9,7 @@ from typing import Any
 from pyrod import _core
 from pyrod._arrays import whole
 from pyrod._core import Options
-from pyrod._jobs import How, Job
+from pyrod._jobs import How, equilibrium_of, start_of
 from pyrod._progress import Progress, shown
 from pyrod._solve import judge
 from pyrod.equilibrium import Equilibrium
@@ -54,30 +54,33 @@ def solve_many(
     starts = [None] * len(scenes) if starts is None else list(starts)
     if len(starts) != len(scenes):
         raise ValueError(f"starts: expected {len(scenes)}, one per scene, got {len(starts)}")
-    how = How(options or Options(), stable, eigenvalue, tol)
+    how = How(options or Options(), stable, eigenvalue, tol).checked()
     began = perf_counter()
-    jobs = [_job(i, *args, how) for i, args in enumerate(zip(scenes, starts, strict=True))]
-    with shown(progress, len(jobs), "scenes") as show:
-        found = _run(dict(enumerate(jobs)), threads, show)
-    others = {i: other for i, job in enumerate(jobs) if (other := job.again(found[i]))}
-    found |= _run(others, threads, None)
-    each = (perf_counter() - began) / max(len(jobs), 1)
-    results = [others.get(i, job).equilibrium(found[i], each) for i, job in enumerate(jobs)]
+    known = [_start(i, *pair) for i, pair in enumerate(zip(starts, scenes, strict=True))]
+    with shown(progress, len(scenes), "scenes") as show:
+        found = _core.solve_all(
+            [scene._core for scene in scenes],
+            known,
+            how.options,
+            how.tol,
+            stable,
+            eigenvalue,
+            threads,
+            show,
+        )
+    each = (perf_counter() - began) / max(len(scenes), 1)
+    pairs = zip(scenes, found, strict=True)
+    results = [equilibrium_of(scene, one, how, each) for scene, one in pairs]
     for result in results:
-        judge(result, strict=False, stable=stable)
+        judge(result, strict=False)
     if strict:
         _refuse_failures(results)
     return results
 
 
-def _run(jobs: dict[int, Job], threads: int, show: Any) -> dict[int, _core.Solution]:
-    compiled = [job.compiled for job in jobs.values()]
-    return dict(zip(jobs, _core.run_all(compiled, list(jobs), threads, show), strict=True))
-
-
-def _job(number: int, scene: Scene, start: Any, how: How) -> Job:
+def _start(number: int, start: Any, scene: Scene) -> Any:
     try:
-        return Job(scene, start, how)
+        return start_of(start, scene)
     except (ValueError, TypeError) as error:
         raise type(error)(f"scene {number}: {error}") from error
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, Union
+from typing import TYPE_CHECKING, Literal, Union
 
 import numpy as np
 
@@ -49,13 +49,3 @@ def on_rod(at: Place, rods: tuple[Rod, ...]) -> tuple[int, float]:
     if not -1e-12 * length <= place <= length * (1 + 1e-12):
         raise ValueError(f"at: must be an arc length on the rod, in [0, {length:g}], got {place:g}")
     return number, min(max(place, 0.0), length)
-
-
-def with_vertices(rods: tuple[Rod, ...], places: list[Any]) -> tuple[Rod, ...]:
-    """Rods with vertices at the places."""
-    wanted: list[list[float]] = [[] for _ in rods]
-    for place in places:
-        number, s = on_rod(place, rods)
-        if 0 < s < rods[number].length:
-            wanted[number].append(s)
-    return tuple(rod.with_vertices(at) if at else rod for rod, at in zip(rods, wanted, strict=True))

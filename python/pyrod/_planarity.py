@@ -122,19 +122,13 @@ def _supports(scene: Scene, plane: _Plane) -> Iterator[str]:
 
 
 def _joints(scene: Scene, plane: _Plane) -> Iterator[str]:
-    if not scene.joints:
-        return
-    network = scene._network
-    for number, node in enumerate(network._nodes()[: len(scene.joints)]):
-        first = node.held or node.points[0]
-        for point in node.points:
-            if node.rigid and not plane.keeps(network._relative(first, point, node)):
-                yield f"joint {number} holds rod {point[0]} turned out of the plane"
-            if node.turns.get(point):
-                yield f"joint {number} twists rod {point[0]}, turns = {node.turns[point]}"
-        if node.hinge is not None:
-            axis = rotate(conjugate(network._rest[first[0]].frame(first[1])), node.hinge)
-            if 1e-9 <= abs(axis[plane.across]) <= 1 - 1e-9:
+    for number, joint in enumerate(scene.joints):
+        for rod, rigid, relative, turns, axis in scene._core.attachments(number):
+            if rigid and joint.kind != "ball" and not plane.keeps(relative):
+                yield f"joint {number} holds rod {rod} turned out of the plane"
+            if turns:
+                yield f"joint {number} twists rod {rod}, turns = {turns}"
+            if axis is not None and 1e-9 <= abs(axis[plane.across]) <= 1 - 1e-9:
                 yield f"joint {number} has an axis aslant to the plane"
 
 
@@ -147,7 +141,7 @@ def _loads(scene: Scene, plane: _Plane) -> Iterator[str]:
         forbidden = plane.within if is_moment else [plane.across]
         for rod, values in _acting(load, scene):
             parts = values if load.follower else rotate(conjugate(plane.frame), values)
-            least = 0.0 if load.follower else 1e-12 * _scale(scene._loads[rod], is_moment)
+            least = 0.0 if load.follower else 1e-12 * _scale(scene._core.dead_loads(rod), is_moment)
             for i in forbidden:
                 if np.abs(parts[:, i]).max() > least:
                     of = f"load {number} ({type(load).__name__})"
@@ -170,12 +164,10 @@ def _acting(load: Any, scene: Scene) -> Iterator[tuple[int, Array]]:
         yield load.rod, rod.edge_lengths[:, None] * on_edges(getattr(load, name), rod, name)
 
 
-def _scale(loads: Any, is_moment: bool) -> float:
+def _scale(dead: tuple[Array, ...], is_moment: bool) -> float:
     """The largest dead force on a vertex, or moment on an edge: what rounding is compared with."""
-    if not is_moment:
-        return float(np.linalg.norm(loads.force, axis=1).max())
-    ends = loads.moment, loads.start_moment[None], loads.end_moment[None]
-    return float(np.linalg.norm(np.vstack(ends), axis=1).max())
+    sizes = [np.linalg.norm(values, axis=-1).max() for values in dead]
+    return float(max(sizes[1:]) if is_moment else sizes[0])
 
 
 def _per_length(load: Any, values: Array, rod: Any) -> float:

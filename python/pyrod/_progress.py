@@ -52,16 +52,16 @@ def iterations(progress: bool) -> Iterator[Watch | None]:
 class Watch:
     """Shows the iterations of a solve, and how far its climb to a tolerance is."""
 
-    job: Any = None  #: the compiled job that runs
-
     def __init__(self, bar: Any) -> None:
         self._bar = bar
+        self._climb: dict[str, str] = {}
+
+    def reached(self, grids: int, edges: int, error: float) -> None:
+        """A grid is done: how many are, the edges of the finest, the largest error."""
+        told = f"{error:.1e}" if isfinite(error) else "?"
+        self._climb = {"grids": f"{grids}", "edges": f"{edges}", "error": told}
 
     def __call__(self, energy: float, residual: float, *_: float) -> None:
-        shown = {"residual": f"{residual:.1e}"}
-        if self.job is not None and (reached := self.job.so_far) is not None and reached[0]:
-            grids, edges, error = reached
-            shown |= {"grids": f"{grids}", "edges": f"{edges}"}
-            shown["error"] = f"{error:.1e}" if isfinite(error) else "?"
+        shown = {"residual": f"{residual:.1e}"} | self._climb
         self._bar.set_postfix(shown, refresh=False)
         self._bar.update()

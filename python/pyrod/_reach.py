@@ -7,7 +7,7 @@ from math import inf, pi
 
 import numpy as np
 
-from pyrod import _core
+from pyrod._immutable import Array
 from pyrod._state import State
 from pyrod.equilibrium import Equilibrium
 from pyrod.scene import Scene
@@ -70,8 +70,8 @@ class Reach:
 
 def _is_absurd(result: Equilibrium) -> bool:
     for rod in result.rods:
-        turn, _, stretch, *_ = rod._source.doubts(rod.rod._rod)
-        if stretch <= 0 or turn > pi:
+        turns = rod.rod.cell_lengths * np.linalg.norm(rod.K, axis=1)
+        if (rod.Gamma[:, 2] <= 0).any() or (turns > pi).any():
             return True
     return False
 
@@ -79,16 +79,15 @@ def _is_absurd(result: Equilibrium) -> bool:
 def _size_of(scene: Scene, growing: frozenset[int]) -> float:
     """The sum of the loads that grow, as forces."""
     length = max(rod.length for rod in scene.rods)
-    acting = tuple(_core.Loads(rod._rod) for rod in scene.rods)
-    for number in growing:
-        scene.loads[number]._apply(acting, scene.rods)
-    size = sum(_size(on, length) for on in acting)
+    loads = [load for number, load in enumerate(scene.loads) if number in growing]
+    growing_ones = Scene(scene.rods, scene.supports, loads, scene.space, scene.joints)._core
+    size = sum(_size(growing_ones.dead_loads(i), length) for i in range(len(scene.rods)))
     if size == 0:
         raise ValueError("loads: all that are to grow are zero")
     return size
 
 
-def _size(loads: _core.Loads, length: float) -> float:
-    moments = loads.moment, loads.start_moment[None], loads.end_moment[None]
-    sums = [np.linalg.norm(values, axis=1).sum() for values in (loads.force, *moments)]
-    return float(sums[0] + sum(sums[1:]) / length)
+def _size(dead: tuple[Array, ...], length: float) -> float:
+    """Of forces on the vertices, and of moments on the edges and both ends."""
+    forces, *moments = (np.linalg.norm(values, axis=-1).sum() for values in dead)
+    return float(forces + sum(moments) / length)

@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pyrod import _core
 from pyrod._arrays import Array, array, number, transposed
 
 MOST_EDGES = 10**8  # their unknowns are counted in 32 bits
 
 
-def edge_lengths(length: float | ArrayLike, edges: int | None) -> Array:
+def edge_lengths(length: float | ArrayLike, edges: float | None) -> Array:
     lengths = array(length, "length")
     if edges is None:
         return np.atleast_1d(lengths)
@@ -29,28 +30,32 @@ def edge_lengths(length: float | ArrayLike, edges: int | None) -> Array:
     return np.full(int(n), whole / int(n))
 
 
+def natural_edges(length: Any, curvature: Any) -> float:
+    """As many that the rod at rest turns little from edge to edge."""
+    length = number(length, "length")
+    if not callable(curvature) and array(curvature, "curvature").ndim > 1:
+        raise ValueError("curvature: one per vertex needs edges; give their number, or a function")
+    return _core.natural_edges(length, along(curvature, 1, "curvature", "vertex"))
+
+
+def along(values: Any, count: int, name: str, place: str) -> Any:
+    """(3,) for all, (count, 3) one per place, or a function of arc length of three numbers."""
+    if callable(values):
+        return lambda s: _shaped(array(values(s), name), name)
+    return _shaped(array(values, name), name, count, place)
+
+
+def _shaped(made: Array, name: str, count: int | None = None, place: str = "") -> Array:
+    if made.shape == (3,) or (count is not None and made.shape == (count, 3)):
+        return made
+    many = "" if count is None else f", or {count} times 3 (one per {place})"
+    raise ValueError(
+        f"{name}: expected 3 numbers{many}, got shape {made.shape}{transposed(made, 3)}"
+    )
+
+
 def sampled(values: Any, at: Array, name: str, place: str) -> Array:
     """(len(at), 3) from one vector, one per place, or a function of arc length."""
-    if callable(values):
-        values = [array(values(s), name) for s in at]
-    made = array(values, name)
-    if made.shape not in ((3,), (len(at), 3)):
-        raise ValueError(
-            f"{name}: expected 3 numbers, or {len(at)} times 3 (one per {place}), "
-            f"got shape {made.shape}{transposed(made, 3)}"
-        )
+    told = along(values, len(at), name, place)
+    made = [told(s) for s in at] if callable(told) else told
     return np.array(np.broadcast_to(made, (len(at), 3)))
-
-
-def cut(h: Array, at: Array) -> Array | None:
-    """Lengths of the edges ``h`` with more vertices at arc lengths, or None if all are there.
-
-    Within 1e-9 of an edge's length of a vertex there is one.
-    """
-    s = np.concatenate([[0.0], np.cumsum(h)])
-    edge = np.clip(np.searchsorted(s, at, "right") - 1, 0, len(h) - 1)
-    part = (at - s[edge]) / h[edge]
-    new = (part > 1e-9) & (part < 1 - 1e-9)
-    near = np.diff(at, prepend=-np.inf) <= 1e-9 * h[edge]  # two places that differ by rounding
-    new &= ~near
-    return np.diff(np.sort(np.concatenate([s, at[new]]))) if new.any() else None

@@ -8,19 +8,18 @@ from dataclasses import replace
 from time import perf_counter
 from typing import Literal
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod._core import Options
-from pyrod._jobs import How, Job
+from pyrod._jobs import How, equilibrium_of, start_of
 from pyrod._progress import iterations
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.scene import Scene, checked_scene
 from pyrod.section import Model
 
-MOST_STRAIN = 3.0
-"""Of an edge, in stretch or shear: beyond what rubber does, so units are wrong more likely."""
+DOUBTS = {"unstable": UnstableWarning, "accuracy": AccuracyWarning, "strain": StrainWarning}
+"""The warnings of what a user should know before trusting an equilibrium."""
 
 
 def solve(
@@ -80,7 +79,7 @@ def solve(
     how = How(options or Options(), stable, eigenvalue, tol)
     with iterations(progress and not verbose) as show:
         result = found(scene, how, model, start, _print_iteration if verbose else show)
-    judge(result, strict, stable, verbose)
+    judge(result, strict, verbose)
     return result
 
 
@@ -96,11 +95,12 @@ def found(
     choice = None
     if model is not None:
         scene, choice = _in_model(scene, model, how.tol)
-    job = Job(scene, start, how)
-    solution = job.run(trace)
-    if (other := job.again(solution)) is not None:
-        job, solution = other, other.run(trace)
-    return job.equilibrium(solution, perf_counter() - began, choice)
+    how = how.checked()
+    options, stable, eigenvalue, tol = how
+    grids = getattr(trace, "reached", None)
+    known = start_of(start, scene)
+    source = scene._core.solve(known, options, tol, stable, eigenvalue, trace, grids)
+    return equilibrium_of(scene, source, how, perf_counter() - began, choice)
 
 
 def _in_model(
@@ -118,9 +118,8 @@ def _in_model(
     return choice.scene, choice.text
 
 
-def judge(result: Equilibrium, strict: bool, stable: bool, verbose: bool = False) -> None:
+def judge(result: Equilibrium, strict: bool, verbose: bool = False) -> None:
     """Refuses what is no equilibrium, and warns of what is doubtful."""
-    refuse_drift(result)
     if verbose:
         print(
             f"{result.status}: {result.iterations} iterations, {result.unknowns} unknowns of which "
@@ -129,80 +128,18 @@ def judge(result: Equilibrium, strict: bool, stable: bool, verbose: bool = False
         )
     if strict and not result.converged:
         raise NotConverged(result)
-    for category, message in doubts(result, stable):
-        warnings.warn(message, category, stacklevel=3)
+    warn_of(result, stacklevel=4)
 
 
-def doubts(result: Equilibrium, stable: bool) -> Iterator[tuple[type[Warning], str]]:
-    """What a user should know before trusting an equilibrium."""
-    if result.index > 0 and stable:
-        message = (
-            f"the equilibrium is unstable (index {result.index}): a disturbed rod leaves it; "
-            "start from a shape on the side that it would fall to"
-        )
-        yield UnstableWarning, message
-    if result.accuracy is not None and result.converged and not result.accuracy.regular:
-        message = (
-            f"the grids converge with order {result.accuracy.order:.2g} instead of 2, so the "
-            f"results are those of the finest, {result.accuracy.finest_edges} edges"
-        )
-        yield AccuracyWarning, f"{message}: {result.scene._ladder.why_irregular}"
-    elif result.accuracy is not None and result.converged and result.scene._ladder.unresolved:
-        message = (
-            f"{result.scene._ladder.why_irregular}: the errors that are told may be too small; "
-            "smooth it, or give the places vertices (Rod.with_vertices)"
-        )
-        yield AccuracyWarning, message
-    if result.accuracy is not None and result.converged and result.accuracy.of_rounding:
-        message = (
-            f"rounding allows no more than {result.accuracy.of_rounding}: they are small "
-            "differences of large numbers, as the stretch of a stiff member is of lengths"
-        )
-        yield AccuracyWarning, message
-    for number, rod in enumerate(result.rods):
-        of = f" of rod {number}" if len(result.rods) > 1 else ""
-        turn, vertex, stretch, edge, strain, strained, sheared = rod._source.doubts(rod.rod._rod)
-        if stretch <= 0:
-            message = (
-                f"edge {edge}{of} is compressed to {stretch:.3g} of its length, turned inside "
-                "out: the loads exceed what EA allows"
-            )
-            yield StrainWarning, message
-        elif strain > MOST_STRAIN:
-            stretched = f"stretched to {1 + strain:.4g} times its length"
-            how = f"sheared by {strain:.3g}" if sheared else stretched
-            message = (
-                f"edge {strained}{of} is {how}: EA or GA and the loads do not fit, look at their "
-                "units"
-            )
-            yield StrainWarning, message
-        if turn > np.pi and result.accuracy is None:  # else it was solved on finer grids
-            message = (
-                f"the rod turns by {turn:.3g} rad at vertex {vertex}{of}: more edges are needed "
-                "for the shape to mean anything"
-            )
-            yield StrainWarning, message
+def warn_of(result: Equilibrium, stacklevel: int) -> None:
+    """Warns of what is doubtful in an equilibrium that was just found."""
+    for category, words in doubts(result):
+        warnings.warn(words, category, stacklevel=stacklevel)
 
 
-def refuse_drift(result: Equilibrium) -> None:
-    """Forces that follow the rods, in directions in which nothing holds these: no equilibrium.
-
-    Of dead forces it is known before the solve. A ring under pressure may drift, but need not.
-    """
-    scene = result.scene
-    if not result.converged or not any(load.follower for load in scene.loads):
-        return
-    acting = np.vstack([rod.load for rod in result.rods] + [r.force for r in result.reactions])
-    left = acting.sum(axis=0)
-    for number, support in enumerate(scene.supports):
-        if support._springs[0] == 0:
-            free = support._free(scene._held(number)[1])
-            left = left - (result.reactions[number].force @ free.T) @ free
-    if np.linalg.norm(left) > 1e-6 * np.abs(acting).sum():
-        raise ValueError(
-            f"supports: nothing holds the rods against the force {left} of the loads that follow "
-            "them; hold a point of them"
-        )
+def doubts(result: Equilibrium) -> Iterator[tuple[type[Warning], str]]:
+    """What a user should know before trusting an equilibrium that was just found."""
+    return ((DOUBTS[kind], words) for kind, words in result._source.doubts)
 
 
 def _print_iteration(

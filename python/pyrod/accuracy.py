@@ -42,6 +42,8 @@ class Accuracy(Immutable):
     "time" (``Options.max_time``), "rounding": finer grids were no better; "interrupted"."""
     neutral: bool = False
     """Whether the errors are those of all but the place along the free motion, which is chance."""
+    reason: str = ""
+    """What may be why, if the grids do not converge as they should, in words."""
 
     @property
     def reached(self) -> float:
@@ -62,31 +64,16 @@ class Accuracy(Immutable):
         grids = f"on {self.grids} grids of up to {self.finest_edges} edges"
         return f"tol={self.tol:g} was not reached{limit}; {left}, {grids}"
 
-    @property
-    def of_rounding(self) -> str | None:
-        """Which errors rounding keeps above ``tol``, in words."""
-        left = [
-            f"{name} to {self.errors[name]:.1e}"
-            for name in self.errors
-            if name not in TOLD_APART and self.errors[name] > self.tol
-        ]
-        return ", ".join(left) or None
-
     def __str__(self) -> str:
         reached = f"{self.reached:.1e}" if isfinite(self.reached) else "unknown"
         but = " but for the free motion" if self.neutral else ""
         return f"error {reached} on {self.grids} grids{but}"
 
 
-def accuracy_of(
-    tol: float | None, reached: tuple[Any, ...] | None, network: bool, neutral: bool
-) -> Accuracy | None:
-    """What the compiled ladder says of errors; of a cantilever it has no reactions."""
-    if tol is None or reached is None:
+def accuracy_of(told: tuple[Any, ...] | None, neutral: bool) -> Accuracy | None:
+    """What the compiled ladder says of errors."""
+    if told is None:
         return None
-    errors = dict(reached[0])
+    tol, errors, order, regular, grids, finest, ended, reason = told
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
-    if not network:
-        errors["reactions"] = max(errors["forces"], errors["moments"])
-    order, regular, grids, finest, ended = reached[1:]
-    return Accuracy(tol, errors, order, regular, grids, finest, ended, neutral)
+    return Accuracy(tol, errors, order, regular, grids, finest, ended, neutral, reason)

@@ -144,10 +144,9 @@ class Equilibrium(Pictures, Savable, Lazy, Immutable):
     """What is known of the errors, if a tolerance was given."""
     choice: str | None = None
     """Which model was chosen and why, if that was left to the solver."""
-    _nodes: tuple[Array, Array] | None = field(default=None, repr=False)
 
     @classmethod
-    def _of(cls, source: _core.Solution, **known: Any) -> Equilibrium:
+    def _of(cls, source: _core.Equilibrium, **known: Any) -> Equilibrium:
         self = object.__new__(cls)
         self.__dict__.update(_source=source, **known)
         return self
@@ -286,7 +285,7 @@ class Equilibrium(Pictures, Savable, Lazy, Immutable):
         )
 
     def _support_position(self, support: Support) -> Array:
-        rod, vertex = self.scene._network._vertex(support.at)
+        rod, vertex = self.scene._vertex(support.at)
         return self.rods[rod].positions[vertex]
 
     def __repr__(self) -> str:

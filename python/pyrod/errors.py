@@ -28,7 +28,7 @@ class NotConverged(RuntimeError):
         if r.accuracy is not None and r.status == "not_accurate":
             advice = r.accuracy.shortfall
             if not r.accuracy.regular:
-                advice += f"; {r.scene._ladder.why_irregular}"
+                advice += f"; {r.accuracy.reason}"
         text = f"{r.status} after {r.iterations} iterations: {advice}"
         if self.results is None:
             return text

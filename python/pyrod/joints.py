@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
+from pyrod import _core
 from pyrod._immutable import Array, Immutable
 from pyrod._places import Place, checked
 from pyrod.supports import unit, whole_turns
@@ -42,3 +44,7 @@ class Joint(Immutable):
         if (self.kind == "hinge") != (self.axis is not None):
             raise ValueError("axis: a hinge needs one, other joints have none")
         self._set(points=points, turns=whole_turns(self.turns), axis=unit(self.axis, "axis"))
+
+    @cached_property
+    def _compiled(self) -> _core.Joint:
+        return _core.Joint(self.points, self.kind, self.turns, self.aligned, self.axis)

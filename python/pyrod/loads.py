@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
@@ -12,8 +13,8 @@ from numpy.typing import ArrayLike
 from pyrod import _core
 from pyrod._arrays import whole
 from pyrod._immutable import Array, Immutable, frozen, vector
-from pyrod._places import Place, checked, on_rod
-from pyrod._sampling import sampled
+from pyrod._places import Place, checked
+from pyrod._sampling import along, sampled
 
 if TYPE_CHECKING:
     from pyrod.rod import Rod
@@ -38,9 +39,9 @@ class Force(Immutable):
     def __post_init__(self) -> None:
         self._set(force=vector(self.force, "force"), at=checked(self.at))
 
-    def _apply(self, loads: tuple[_core.Loads, ...], rods: tuple[Rod, ...]) -> None:
-        i, s = on_rod(self.at, rods)
-        (loads[i].add_following_force if self.follower else loads[i].add_force)(self.force, s)
+    @cached_property
+    def _compiled(self) -> _core.Force:
+        return _core.Force(self.force, self.at, self.follower)
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +58,9 @@ class Moment(Immutable):
     def __post_init__(self) -> None:
         self._set(moment=vector(self.moment, "moment"), at=checked(self.at))
 
-    def _apply(self, loads: tuple[_core.Loads, ...], rods: tuple[Rod, ...]) -> None:
-        i, s = on_rod(self.at, rods)
-        (loads[i].add_following_moment if self.follower else loads[i].add_moment)(self.moment, s)
+    @cached_property
+    def _compiled(self) -> _core.Moment:
+        return _core.Moment(self.moment, self.at, self.follower)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,10 +82,10 @@ class DistributedForce(Immutable):
         if not callable(self.force_per_length):
             self._set(force_per_length=frozen(self.force_per_length, "force_per_length"))
 
-    def _apply(self, loads: tuple[_core.Loads, ...], rods: tuple[Rod, ...]) -> None:
-        on = loads[_number(self.rod, rods)]
-        values = on_edges(self.force_per_length, rods[self.rod], "force_per_length")
-        (on.add_following_distributed_force if self.follower else on.add_distributed_force)(values)
+    @cached_property
+    def _compiled(self) -> _core.DistributedForce:
+        values = _along(self.force_per_length, "force_per_length")
+        return _core.DistributedForce(values, self.rod, self.follower)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,12 +104,10 @@ class DistributedMoment(Immutable):
         if not callable(self.moment_per_length):
             self._set(moment_per_length=frozen(self.moment_per_length, "moment_per_length"))
 
-    def _apply(self, loads: tuple[_core.Loads, ...], rods: tuple[Rod, ...]) -> None:
-        on = loads[_number(self.rod, rods)]
-        values = on_edges(self.moment_per_length, rods[self.rod], "moment_per_length")
-        (on.add_following_distributed_moment if self.follower else on.add_distributed_moment)(
-            values
-        )
+    @cached_property
+    def _compiled(self) -> _core.DistributedMoment:
+        values = _along(self.moment_per_length, "moment_per_length")
+        return _core.DistributedMoment(values, self.rod, self.follower)
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,14 +124,9 @@ class Gravity(Immutable):
     def __post_init__(self) -> None:
         self._set(acceleration=vector(self.acceleration, "acceleration"))
 
-    def _apply(self, loads: tuple[_core.Loads, ...], rods: tuple[Rod, ...]) -> None:
-        if not any(rod.mass_per_length.any() for rod in rods):
-            raise ValueError(
-                "Gravity: no rod has a mass; give its material a density, or its section a "
-                "mass_per_length"
-            )
-        for on, rod in zip(loads, rods, strict=True):
-            on.add_distributed_force(rod.mass_per_length[:, None] * self.acceleration)
+    @cached_property
+    def _compiled(self) -> _core.Gravity:
+        return _core.Gravity(self.acceleration)
 
 
 Load = Union[Force, Moment, DistributedForce, DistributedMoment, Gravity]
@@ -147,25 +141,22 @@ def any_function(loads: tuple[Load, ...]) -> bool:
     )
 
 
-def load_places(loads: tuple[Load, ...]) -> list[Place]:
-    """Where point loads act."""
-    return [load.at for load in loads if isinstance(load, (Force, Moment))]
+def _along(values: Any, name: str) -> Any:
+    """(3,), a row per edge, or a function of arc length; how many rows, the rod tells."""
+    return along(values, 1, name, "edge") if callable(values) else values
 
 
-def load_steps(loads: tuple[Load, ...], rods: tuple[Rod, ...]) -> Iterator[tuple[int, Array]]:
-    """Of values given edge by edge: the number of the rod, and where along it they change."""
+def refuse_shapes(loads: tuple[Load, ...], rods: tuple[Rod, ...], any_count: bool) -> None:
+    """Refuses arrays along rods that are neither (3,) nor a row of three for each edge.
+
+    ``any_count`` : it may be any number of rows yet.
+    """
     for load in loads:
-        if isinstance(load, (DistributedForce, DistributedMoment)):
-            kept = stepwise_load(load, rods)
-            along = getattr(kept, "force_per_length", getattr(kept, "moment_per_length", None))
-            if isinstance(along, _Steps):
-                yield load.rod, along.steps
-
-
-def _number(rod: int, rods: tuple[Rod, ...]) -> int:
-    if not 0 <= rod < len(rods):
-        raise ValueError(f"rod: there is no rod {rod}, the scene has {len(rods)}")
-    return rod
+        if isinstance(load, (DistributedForce, DistributedMoment)) and load.rod < len(rods):
+            name = fields(load)[0].name
+            values = getattr(load, name)
+            if not (any_count and np.shape(values)[1:] == (3,)):
+                along(values, rods[load.rod].edges, name, "edge")
 
 
 def on_edges(values: Any, rod: Rod, name: str) -> Array:
@@ -194,11 +185,6 @@ def stepwise_load(load: Load, rods: tuple[Rod, ...]) -> Load:
 class _Steps:
     values: Array
     ends: Array
-
-    @property
-    def steps(self) -> Array:
-        """Arc lengths at which the value changes."""
-        return self.ends[1:-1][(self.values[1:] != self.values[:-1]).any(axis=1)]
 
     def __call__(self, s: float) -> Array:
         edge = int(np.searchsorted(self.ends, s, "right")) - 1

@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 
 from pyrod import _reference_notes as notes
-from pyrod._along import Model
 from pyrod._folders import folder as _installed
 from pyrod._immutable import Array
 from pyrod.equilibrium import Equilibrium
@@ -25,7 +24,7 @@ from pyrod.loads import DistributedForce, DistributedMoment, Force, Load, Moment
 from pyrod.rod import Rod
 from pyrod.rotation import conjugate, exp, log, multiply, rotate
 from pyrod.scene import Scene, Space
-from pyrod.section import Section
+from pyrod.section import Model, Section
 from pyrod.supports import Clamp, Hinge, Pivot, Slider, Support
 
 _MODELS: dict[str, Model] = {

@@ -10,17 +10,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod import _core
-from pyrod._along import Curvature, Model, Sections, masses
+from pyrod._along import Curvature, Sections, masses
 from pyrod._arrays import array, finite, rows
 from pyrod._energy import Energy
-from pyrod._grading import graded, merged, natural_edges
-from pyrod._immutable import Array, Immutable, frozen, vector
-from pyrod._law import NO_JUMPS, Law, Made, Material, Points, Table, kept_outlines
+from pyrod._immutable import Array, Immutable, frozen, sealed, vector
+from pyrod._law import Law, Made, Placement, Points, Table, kept_outlines
 from pyrod._places import End
 from pyrod._rest_shape import rest_curvature, ribbon
-from pyrod._sampling import cut, edge_lengths
+from pyrod._sampling import edge_lengths, natural_edges
 from pyrod.outline import Outline
 from pyrod.rotation import as_frame, as_frames, exp, frame_along, multiply, unit_frame
+from pyrod.section import Model
+
+_ORIGIN: Placement = (frozen([0, 0, 0]), frozen([1, 0, 0, 0]))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -52,16 +54,11 @@ class Rod(Immutable):
     stretching: Array
     K0: Array
     model: Model
-    placement: tuple[Array, Array] = field(
-        default=(frozen([0, 0, 0]), frozen([1, 0, 0, 0])), compare=False
-    )
+    placement: Placement = field(default=_ORIGIN, compare=False)
     mass_per_length: Array = field(default_factory=lambda: frozen(0))
     _law: Law | None = field(default=None, compare=False)
-    _made: Material | None = field(default=None, compare=False)
-    """What the law says for these edges: a rod with other arrays has another law."""
-    _breaks: tuple[float, ...] | None = None
-    """Arc lengths that must be vertices if the solver chooses the grid; None: edges are given."""
-    _rod: _core.Rod = field(init=False, compare=False)
+    _rod: _core.Rod = field(default=None, compare=False)  # type: ignore[assignment]
+    """Made by the law; a rod with other arrays has another law."""
 
     def __new__(cls, *args: Any, **kwargs: Any) -> Rod:
         if 0 < len(args) + len(kwargs) < 5:  # none: as pickles do
@@ -72,45 +69,80 @@ class Rod(Immutable):
         return super().__new__(cls)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.model, str) or self.model not in _core.Model.__members__:
-            raise ValueError(
-                f"model: expected one of {', '.join(_core.Model.__members__)}, got {self.model!r}"
-            )
+        _check_model(self.model)
         for name in ("edge_lengths", "bending", "stretching", "K0"):
             self._set(**{name: frozen(getattr(self, name), name)})
         position, frame = self.placement
         self._set(placement=(frozen(position, "placement"), frozen(frame, "placement")))
         self._set(mass_per_length=masses(self.mass_per_length, self.edges))
-        if self._law is None or not self._is_by_law():
-            self._set(_law=self._table(), _made=None, _breaks=None)
-        self._set(_rod=self._compiled())
+        if self._rod is None or not self._is_by_law():
+            law = self._table()
+            self._set(_law=law, _rod=law.compiled(self.model, self.placement, False))
+        else:
+            kind = _core.Model.__members__[self.model]
+            self._set(_rod=self._rod.replaced(kind, *self.placement))
 
-    def _arrays(self) -> tuple[Array, Array, Array, Array]:
-        return self.bending, self.stretching, self.K0, self.mass_per_length
+    @classmethod
+    def _of(cls, made: _core.Rod, law: Law, placement: Placement) -> Rod:
+        """What the compiled rod is."""
+        self = object.__new__(cls)
+        arrays = made.edge_lengths, made.bending, made.stretching, made.K0, made.mass
+        h, bending, stretching, K0, mass = sealed(arrays)
+        self._set(edge_lengths=h, bending=bending, stretching=stretching, K0=K0)
+        self._set(model=made.model.name, placement=placement, mass_per_length=mass)
+        self._set(_law=law, _rod=made)
+        return self
+
+    def _with(self, made: _core.Rod) -> Rod:
+        """The same rod, on other edges perhaps."""
+        mine = self._rod
+        same = len(made.edge_lengths) == self.edges and made.kept == mine.kept
+        return self if same and made.marks == mine.marks else Rod._of(made, *self._what)
+
+    @property
+    def _what(self) -> tuple[Any, Placement]:
+        return self._law, self.placement
+
+    @property
+    def _breaks(self) -> tuple[float, ...] | None:
+        """Arc lengths that must be vertices if the solver chooses the grid; None: it does not."""
+        kept = self._rod.kept
+        return None if kept is None else tuple(kept)
 
     def _is_by_law(self) -> bool:
         """Whether the arrays are still those that the law says."""
-        return self._made is not None and all(map(np.array_equal, self._arrays(), self._made[:4]))
+        made = self._rod
+        theirs = made.edge_lengths, made.bending, made.stretching, made.K0, made.mass
+        return all(map(np.array_equal, (self.edge_lengths, *self._arrays()), theirs))
+
+    def __eq__(self, other: object) -> bool:
+        same = super().__eq__(other)
+        return self._breaks == other._breaks if same is True and isinstance(other, Rod) else same
+
+    __hash__ = None
+
+    def _arrays(self) -> tuple[Array, Array, Array, Array]:
+        return self.bending, self.stretching, self.K0, self.mass_per_length
 
     def _table(self) -> Table:
         shapes = kept_outlines(self._law, self.edge_lengths)
         corners = self._law is not None and self._law.corners
         return Table(self.edge_lengths, *self._arrays(), shapes, corners)
 
-    def _compiled(self) -> _core.Rod:
-        arrays = self.edge_lengths, self.bending, self.stretching, self.K0
-        return _core.Rod(*arrays, *(NO_JUMPS if self._made is None else self._made.jumps))
-
     def __getstate__(self) -> dict[str, Any]:
         """Functions of arc length that cannot be pickled are as linear between vertices."""
         state = super().__getstate__()
-        if not self._law.portable:  # type: ignore[union-attr]
-            state.update(_law=self._table(), _breaks=None)
+        made, law = state.pop("_rod"), self._law
+        state["_grid"] = made.kept, made.marks
+        if not law.portable:  # type: ignore[union-attr]
+            state.update(_law=replace(self._table(), jumps=made.jumps), _grid=(None, []))
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
+        kept, marks = state.pop("_grid")
         super().__setstate__(state)
-        self._set(_rod=self._compiled())
+        made = self._law.compiled(self.model, self.placement, kept is not None)  # type: ignore[union-attr]
+        self._set(_rod=made.on(self.edge_lengths, kept, marks))
 
     # Makers --------------------------------------------------------------------------------------
 
@@ -151,17 +183,8 @@ class Rod(Immutable):
         """
         free = edges is None and array(length, "length").ndim == 0
         h = edge_lengths(length, natural_edges(length, curvature) if free else edges)
-        law = Made(section, curvature, h)
-        made = law.on(h)
-        return cls(
-            h,
-            *made[:3],
-            model or law.stiffness(h)[3],
-            mass_per_length=made.mass,
-            _law=law,
-            _made=made,
-            _breaks=law.steps if free else None,  # sections keep their ends on any grid
-        )
+        law = Made(section, curvature, frozen(h))
+        return cls._of(law.compiled(_checked_model(model), _ORIGIN, free), law, _ORIGIN)
 
     @classmethod
     def from_curve(
@@ -190,9 +213,8 @@ class Rod(Immutable):
         h = shape.polyline.edge_lengths
         placement = (shape.polyline.positions[0], start)
         law = Points(section, frozen(K0), h)
-        made = law.on(h)
-        model = model or law.stiffness(h)[3]
-        return cls(h, *made[:3], model, placement, made.mass, law, made)
+        placement = sealed((frozen(placement[0]), frozen(placement[1])))
+        return cls._of(law.compiled(_checked_model(model), placement, False), law, placement)
 
     # Views ---------------------------------------------------------------------------------------
 
@@ -263,23 +285,11 @@ class Rod(Immutable):
         these alone. Where `solve` chooses the edges, these vertices are kept. Jumps and kinks of
         functions get vertices by themselves where ``tol`` is asked for (docs/accuracy.md).
         """
-        at = np.unique(finite(at, "at"))
-        law = self._law.marked(at)  # type: ignore[union-attr]
-        if self._breaks is not None:
-            breaks = merged(self._breaks, at, self.length)
-            if breaks == self._breaks:
-                return self if law is self._law else self._on(self.edge_lengths, breaks, law)
-            return self._on(graded(self.length, breaks, self.edges), breaks, law)
-        h = cut(self.edge_lengths, at)
-        if h is not None:
-            return self._on(h, None, law)
-        return self if law is self._law else self._on(self.edge_lengths, None, law)
+        return self._with(self._rod.with_vertices(np.unique(finite(at, "at"))))
 
-    def _on(self, h: Array, breaks: tuple[float, ...] | None = None, law: Law | None = None) -> Rod:
+    def _on(self, h: Array, breaks: tuple[float, ...] | None = None) -> Rod:
         """The same rod on other edges."""
-        law = self._law if law is None else law
-        made: Material = law.on(h)  # type: ignore[union-attr]
-        return Rod(h, *made[:3], self.model, self.placement, made.mass, law, made, breaks)
+        return Rod._of(self._rod.on(h, breaks, self._rod.marks), *self._what)
 
     def _refined(self, level: int) -> Rod:
         """The same rod with every edge cut in 2^level, and no choice of edges left."""
@@ -323,7 +333,6 @@ class Rod(Immutable):
         Strains that the rod's model excludes carry no energy.
         """
         bend_twist, stretch_shear, gradient, hessian = self._rod.energy(
-            _core.Model.__members__[self.model],
             rows(positions, "positions", 3),
             as_frames(frames, "frames"),
             None if start_frame is None else as_frame(start_frame, "start_frame"),
@@ -335,6 +344,19 @@ class Rod(Immutable):
         curved = "precurved" if self.K0.any() else "straight"
         edges = self.edges if self._breaks is None else None
         return f"Rod({self.model}, {curved}, length={self.length:g}, edges={edges})"
+
+
+def _check_model(model: Any) -> None:
+    if not isinstance(model, str) or model not in _core.Model.__members__:
+        raise ValueError(
+            f"model: expected one of {', '.join(_core.Model.__members__)}, got {model!r}"
+        )
+
+
+def _checked_model(model: Model | None) -> Model | None:
+    if model is not None:
+        _check_model(model)
+    return model
 
 
 # What help and editors show is what the dataclass takes, not what `__new__` looks at.

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal
 
 from pyrod import _core
-from pyrod._immutable import Array, Immutable
-from pyrod._ladder import Ladder
-from pyrod._network import Network
-from pyrod._places import Place, on_rod, with_vertices
-from pyrod._rest import Rest, carrier
+from pyrod._immutable import Array, Immutable, sealed
+from pyrod._places import Place
 from pyrod._savable import Savable
 from pyrod.joints import Joint
-from pyrod.loads import Load, load_places, sampled_load, stepwise_load
+from pyrod.loads import Load, refuse_shapes, sampled_load, stepwise_load
 from pyrod.rod import Rod
-from pyrod.supports import Clamp, Support
+from pyrod.supports import Support
 
 Space = Literal["planar", "spatial"]
 
@@ -50,9 +48,7 @@ class Scene(Immutable, Savable):
     loads: tuple[Load, ...]
     space: Space
     joints: tuple[Joint, ...]
-    _loads: tuple[_core.Loads, ...] = field(init=False, compare=False)
-    _coarsest: Scene | None = field(init=False, compare=False, default=None)
-    """Of a level of a climb, the scene whose edges it has cut."""
+    _core: _core.Scene = field(init=False, compare=False)
 
     def __init__(
         self,
@@ -77,49 +73,42 @@ class Scene(Immutable, Savable):
                 "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or "
                 "another support"
             )
-        places = [s.at for s in supports] + [p for joint in joints for p in joint.points]
-        cut = with_vertices(rods, places + _free_of(rods, load_places(loads)))
-        compiled = tuple(_core.Loads(rod._rod) for rod in cut)
-        for load in loads:
-            load._apply(compiled, cut)
-        self._set(
-            rods=cut, supports=supports, loads=loads, space=space, joints=joints, _loads=compiled
+        refuse_shapes(loads, rods, any_count=True)
+        compiled = _core.Scene(
+            [rod._rod for rod in rods],
+            [support._compiled for support in supports],
+            [joint._compiled for joint in joints],
+            [load._compiled for load in loads],
+            _core.Dimension.__members__[space],
         )
-        if not self.is_cantilever:
-            self._network  # noqa: B018  refuses what cannot be joined or held
+        rods = _on_grid(rods, compiled.rods([rod._rod for rod in rods]))
+        refuse_shapes(loads, rods, any_count=False)
+        self._set(rods=rods, supports=supports, loads=loads, space=space, joints=joints)
+        self._set(_core=compiled)
 
     def _refined(self, level: int) -> Scene:
-        """The same scene with every edge cut in 2^level, and no choice of edges left.
+        """The same scene with every edge cut in 2^level, and no choice of edges left."""
+        loads = [stepwise_load(load, self.rods) for load in self.loads]
+        rods = [rod._refined(level) for rod in self.rods]
+        return Scene(rods, self.supports, loads, self.space, self.joints)
 
-        Its places are the vertices that they are here, by number: arc lengths are off by rounding.
+    @cached_property
+    def _climbing(self) -> Scene:
+        """The scene as a solve with a tolerance has it.
+
+        It has more vertices where loads act, and where functions jump or have kinks.
         """
-        rods = tuple(rod._refined(level) for rod in self.rods)
-        loads = tuple(stepwise_load(load, self.rods) for load in self.loads)
-        pairs = zip(rods, self._loads, strict=True)
-        compiled = tuple(_core.Loads(rod._rod, coarse) for rod, coarse in pairs)
-        for load in loads:
-            load._apply(compiled, rods)
-        made = object.__new__(type(self))
-        made._set(rods=rods, supports=self.supports, loads=loads, space=self.space)
-        made._set(joints=self.joints, _loads=compiled, _coarsest=self)
+        rods = _on_grid(self.rods, self._core.climbing_rods([rod._rod for rod in self.rods]))
+        if all(map(operator.is_, rods, self.rods)):
+            return self
+        loads = [stepwise_load(load, self.rods) for load in self.loads]
+        made = Scene(rods, self.supports, loads, self.space, self.joints)
+        made.__dict__["_climbing"] = made
         return made
 
     def _vertex(self, at: Place) -> tuple[int, int]:
         """The number of the rod, and of its vertex nearest to a place."""
-        coarse = self._coarsest or self
-        number, s = on_rod(at, coarse.rods)
-        if s == 0.0:
-            return number, 0
-        vertex = int(abs(coarse.rods[number].arc_lengths - s).argmin())
-        return number, vertex * (self.rods[number].edges // coarse.rods[number].edges)
-
-    @cached_property
-    def _network(self) -> Network:
-        return Network(self)
-
-    @cached_property
-    def _ladder(self) -> Ladder:
-        return Ladder(self)
+        return self._core.vertex(at)
 
     @property
     def _chooses_edges(self) -> bool:
@@ -145,15 +134,7 @@ class Scene(Immutable, Savable):
     @property
     def is_cantilever(self) -> bool:
         """One rod, clamped at its start, free at its end, under loads that do not follow it."""
-        return (
-            len(self.rods) == 1
-            and not self.joints
-            and len(self.supports) == 1
-            and isinstance(self.supports[0], Clamp)
-            and self.supports[0].turns == 0
-            and on_rod(self.supports[0].at, self.rods) == (0, 0.0)
-            and not any(load.follower for load in self.loads)
-        )
+        return self._core.is_cantilever
 
     @property
     def clamp_position(self) -> Array:
@@ -168,21 +149,10 @@ class Scene(Immutable, Savable):
     @property
     def plane(self) -> tuple[Array, Array]:
         """Origin and frame of the plane of a planar scene, spanned by the frame's a1 and a3."""
-        if self.supports and isinstance(self.supports[0], Clamp):
-            return self._held(0)
-        return self.rods[0].placement
+        return sealed(self._core.plane)
 
     def _held(self, number: int) -> tuple[Array, Array]:
-        support = self.supports[number]
-        i, vertex = self._vertex(support.at)
-        rod = self.rods[i]
-        position, frame = support.position, support.frame
-        if position is not None and frame is not None:
-            return position, frame
-        by = carrier(i, self.supports, self.rods) if len(self.supports) > 1 else None
-        at_start = by is None and vertex == 0
-        rest = rod.placement if at_start else Rest(rod, by).place(vertex)
-        return (rest[0] if position is None else position, rest[1] if frame is None else frame)
+        return sealed(self._core.held(number))
 
     def __repr__(self) -> str:
         rods = repr(self.rods[0]) if len(self.rods) == 1 else f"{len(self.rods)} rods"
@@ -235,6 +205,7 @@ def checked_scene(scene: Any) -> Scene:
     raise TypeError(f"scene: expected a Scene, got a {type(scene).__name__}{hint}")
 
 
-def _free_of(rods: tuple[Rod, ...], places: list[Any]) -> list[Any]:
-    """Places on rods that leave their edges to the solver."""
-    return [place for place in places if rods[on_rod(place, rods)[0]]._breaks is not None]
+def _on_grid(rods: tuple[Rod, ...], made: list[_core.Rod | None]) -> tuple[Rod, ...]:
+    """The rods, those that the compiled scene gave more vertices as these are."""
+    pairs = zip(rods, made, strict=True)
+    return tuple(rod if now is None else rod._with(now) for rod, now in pairs)

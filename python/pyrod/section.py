@@ -112,6 +112,12 @@ class Section:
         return np.array([self.GA1, self.GA2, self.EA], dtype=np.float64)
 
     @property
+    def _row(self) -> tuple[float, ...]:
+        """What a solve takes of it."""
+        bending, shear = (self.EI1, self.EI2, self.GJ), (self.GA1, self.GA2)
+        return (*bending, *shear, self.EA, self.mass_per_length)
+
+    @property
     def model(self) -> Model:
         """The richest rod model that the finite stiffnesses allow."""
         if isinf(self.EA):

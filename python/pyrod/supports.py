@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pyrod import _core
 from pyrod._arrays import number
 from pyrod._immutable import Array, Immutable, frozen, vector
 from pyrod._places import Place, checked
@@ -51,9 +54,9 @@ class Support(Immutable):
         """(k, 3) material axes about which the cross-section may turn."""
         return HELD
 
-    @property
-    def _springs(self) -> tuple[float, float]:
-        return 0.0, 0.0
+    @cached_property
+    def _compiled(self) -> Any:
+        raise NotImplementedError
 
 
 def placed_frame(
@@ -102,6 +105,10 @@ class Clamp(Support):
         super().__init__(position, frame, tangent=tangent, normal=normal, at=at)
         self._set(turns=whole_turns(turns))
 
+    @cached_property
+    def _compiled(self) -> _core.Clamp:
+        return _core.Clamp(self.position, self.frame, self.at, self.turns)
+
 
 @dataclass(frozen=True, eq=False, init=False)
 class Hinge(Support):
@@ -116,6 +123,10 @@ class Hinge(Support):
 
     def __init__(self, position: ArrayLike | None = None, *, at: Place = "start") -> None:
         super().__init__(position, at=at)
+
+    @cached_property
+    def _compiled(self) -> _core.Hinge:
+        return _core.Hinge(self.position, self.at)
 
     def _turns(self, frame: Array) -> Array:
         return FREE
@@ -158,6 +169,11 @@ class Slider(Support):
             clamped=clamped or frame is not None,
         )
 
+    @cached_property
+    def _compiled(self) -> _core.Slider:
+        held = self.position, self.frame, self.clamped
+        return _core.Slider(self.along, self.normal, *held, self.at)
+
     @property
     def holds_frame(self) -> bool:  # type: ignore[override]
         """Whether the frame is held as well."""
@@ -176,6 +192,10 @@ class Sleeve(Support):
 
     position, frame or tangent and normal, at : as for `Clamp`.
     """
+
+    @cached_property
+    def _compiled(self) -> _core.Sleeve:
+        return _core.Sleeve(self.position, self.frame, self.at)
 
     def _free(self, frame: Array) -> Array:
         return rotate(frame, np.array([[0.0, 0.0, 1.0]]))
@@ -206,6 +226,10 @@ class Pivot(Support):
     ) -> None:
         super().__init__(position, frame, at=at)
         self._set(axis=unit(axis, "axis"), along=unit(along, "along"))
+
+    @cached_property
+    def _compiled(self) -> _core.Pivot:
+        return _core.Pivot(self.axis, self.position, self.frame, self.at, self.along)
 
     def _free(self, frame: Array) -> Array:
         return HELD if self.along is None else self.along[None]
@@ -244,6 +268,10 @@ class Spring(Support):
                 raise ValueError(f"{name}: must be finite and not negative, got {value}")
         self._set(stiffness=stiffness, torsion=torsion)
 
+    @cached_property
+    def _compiled(self) -> _core.Spring:
+        return _core.Spring(self.stiffness, self.torsion, self.position, self.frame, self.at)
+
     @property
     def holds_frame(self) -> bool:  # type: ignore[override]
         """Whether there is a torsional spring."""
@@ -254,10 +282,6 @@ class Spring(Support):
 
     def _turns(self, frame: Array) -> Array:
         return FREE
-
-    @property
-    def _springs(self) -> tuple[float, float]:
-        return self.stiffness, self.torsion
 
 
 def whole_turns(turns: float) -> int:

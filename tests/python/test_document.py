@@ -29,10 +29,9 @@ def assert_same(a: Scene, b: Scene) -> None:
         assert one._law.outlines(one.edge_lengths) == other._law.outlines(other.edge_lengths)
         assert one._refined(1) == other._refined(1)
         assert one._breaks == other._breaks
-        first, second = (rod._made and rod._made.jumps for rod in (one, other))
-        if first is not None and first[0]:
-            assert first[0] == second[0]
-            assert np.array_equal(first[1], second[1])
+        first, second = (rod._rod.jumps for rod in (one, other))
+        assert first[0] == second[0]
+        assert np.array_equal(first[1], second[1])
 
 
 @settings(max_examples=60, suppress_health_check=list(HealthCheck))

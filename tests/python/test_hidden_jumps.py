@@ -33,10 +33,10 @@ def test_sections_and_curvatures_that_jump_have_a_vertex() -> None:
 
     for rod in (Rod.straight(1.0, 16, section), Rod.precurved(1.0, 16, ROUND, curvature)):
         scene = Scene(rod, Clamp(), pyrod.Force((1, 0, 0)))
-        found = scene._ladder.scene.rod
+        found = scene._climbing.rod
         assert found.edges == 17
         assert np.abs(found.arc_lengths - AT).min() < 1e-12
-        assert found._made.jumps[0] == [np.abs(found.arc_lengths - AT).argmin()]
+        assert found._rod.jumps[0] == [np.abs(found.arc_lengths - AT).argmin()]
 
 
 def test_vertices_and_steep_functions_are_no_jumps() -> None:
@@ -46,5 +46,4 @@ def test_vertices_and_steep_functions_are_no_jumps() -> None:
         warnings.simplefilter("error")
         pyrod.solve(Scene(at_vertex, Clamp(), DistributedForce(step)), tol=1e-4)
     scene = Scene(Rod.straight(1.0, None, ROUND), Clamp(), steep)
-    assert scene._ladder.unresolved is None
-    assert scene._ladder.scene is scene
+    assert scene._climbing is scene

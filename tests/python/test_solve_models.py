@@ -63,7 +63,7 @@ def test_a_scene_that_was_solved_is_let_go(load: object, ends: int) -> None:
     clamps = [Clamp(), Clamp((0.1, 0, 0.9), at="end")][:ends]
     made = Scene(Rod.straight(1.0, None, BEAM), clamps, load)
     pyrod.solve(made, tol=1e-5)
-    alive = weakref.ref(made), weakref.ref(made._ladder)
+    alive = weakref.ref(made), weakref.ref(made._climbing)
     del made
     gc.collect()
     assert [one() for one in alive] == [None, None]

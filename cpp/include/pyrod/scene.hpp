@@ -6,4 +6,4 @@
 #include <pyrod/rotation/frame_along.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/statics/equilibrium.hpp>
-#include <pyrod/statics/solve_scene.hpp>
+#include <pyrod/statics/solver.hpp>

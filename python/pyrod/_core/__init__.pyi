@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Dimension', 'Job', 'Ladder', 'Loads', 'Model', 'Network', 'Options', 'Rod', 'RodSolution', 'Solution', 'build', 'cantilever_job', 'curve', 'rotation', 'run_all', 'section']
+__all__: list[str] = ['Clamp', 'Dimension', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Model', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'Sleeve', 'Slider', 'Spring', 'breaks', 'build', 'curve', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Model:
     """
     Members:
@@ -59,156 +59,58 @@ class Model:
     def value(self) -> int:
         ...
 class Rod:
-    def __init__(self, edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], jumps: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], sides: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    """
+    A rod as it was given, and on its grid.
+    """
+    @staticmethod
+    def of_arrays(edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], mass: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], corners: bool, jumps: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], sides: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
+        ...
+    @staticmethod
+    def of_sections(edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], section: typing.Any, curvature: typing.Any, corners: bool, model: Model | None, chooses: bool, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
         ...
     def at_rest(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         ...
-    def energy(self, model: Model, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frames: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], start_frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, end_frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> tuple[float, float, numpy.typing.NDArray[numpy.float64], tuple]:
+    def energy(self, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frames: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], start_frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, end_frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> tuple:
+        ...
+    def on(self, edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], kept: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None, marks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> Rod:
+        ...
+    def replaced(self, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
+        ...
+    def with_vertices(self, at: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
+        ...
+    @property
+    def K0(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
     @property
     def arc_lengths(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
     @property
+    def bending(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    @property
+    def edge_lengths(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    @property
+    def jumps(self) -> tuple:
+        ...
+    @property
+    def kept(self) -> list[float] | None:
+        ...
+    @property
     def length(self) -> float:
         ...
-class RodSolution:
-    """
-    One rod in equilibrium.
-    """
-    def doubts(self, rod: Rod) -> tuple:
+    @property
+    def marks(self) -> list[float]:
         ...
     @property
-    def Gamma(self) -> numpy.ndarray:
+    def mass(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
     @property
-    def K(self) -> numpy.ndarray:
+    def model(self) -> Model:
         ...
     @property
-    def K_before(self) -> numpy.ndarray:
+    def stretching(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
-    @property
-    def bend_twist_energy(self) -> float:
-        ...
-    @property
-    def force(self) -> numpy.ndarray:
-        ...
-    @property
-    def frames(self) -> numpy.ndarray:
-        ...
-    @property
-    def largest_K(self) -> float:
-        ...
-    @property
-    def largest_force(self) -> float:
-        ...
-    @property
-    def largest_moment(self) -> float:
-        ...
-    @property
-    def load(self) -> numpy.ndarray:
-        ...
-    @property
-    def load_moment(self) -> numpy.ndarray:
-        ...
-    @property
-    def material_force(self) -> numpy.ndarray:
-        ...
-    @property
-    def material_moment(self) -> numpy.ndarray:
-        ...
-    @property
-    def moment(self) -> numpy.ndarray:
-        ...
-    @property
-    def moment_before(self) -> numpy.ndarray:
-        ...
-    @property
-    def positions(self) -> numpy.ndarray:
-        ...
-    @property
-    def stretch_shear_energy(self) -> float:
-        ...
-    @property
-    def vertex_force(self) -> numpy.ndarray:
-        ...
-    @property
-    def vertex_force_before(self) -> numpy.ndarray:
-        ...
-    @property
-    def vertex_frames(self) -> numpy.ndarray:
-        ...
-class Solution:
-    """
-    A scene, solved.
-    """
-    @property
-    def advice(self) -> str:
-        ...
-    @property
-    def descents(self) -> int:
-        ...
-    @property
-    def fill(self) -> float:
-        ...
-    @property
-    def index(self) -> int:
-        ...
-    @property
-    def load_steps(self) -> int:
-        ...
-    @property
-    def lowest_eigenvalue(self) -> float:
-        ...
-    @property
-    def mode(self) -> typing.Any:
-        ...
-    @property
-    def multipliers(self) -> int:
-        ...
-    @property
-    def neutral(self) -> bool:
-        ...
-    @property
-    def node_frames(self) -> numpy.ndarray:
-        ...
-    @property
-    def node_positions(self) -> numpy.ndarray:
-        ...
-    @property
-    def reached(self) -> typing.Any:
-        ...
-    @property
-    def reaction_forces(self) -> numpy.ndarray:
-        ...
-    @property
-    def reaction_moments(self) -> numpy.ndarray:
-        ...
-    @property
-    def record(self) -> dict:
-        ...
-    @property
-    def residual(self) -> float:
-        ...
-    @property
-    def rods(self) -> tuple:
-        ...
-    @property
-    def status(self) -> str:
-        ...
-    @property
-    def unknowns(self) -> int:
-        ...
-class Job:
-    """
-    A solve that is ready to be run.
-    """
-    def run(self, trace: collections.abc.Callable | None) -> Solution:
-        ...
-    @property
-    def so_far(self) -> typing.Any:
-        """
-        Of a climb that runs: grids, edges of the finest, largest error.
-        """
 class Options:
     """
     What may be tuned in a solve; keywords only.
@@ -300,74 +202,204 @@ class Dimension:
     @property
     def value(self) -> int:
         ...
-class Loads:
-    @typing.overload
-    def __init__(self, rod: Rod) -> None:
+class Clamp:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Any, arg3: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
-    @typing.overload
-    def __init__(self, rod: Rod, level0: Loads) -> None:
+class Hinge:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Any) -> None:
+        ...
+class Slider:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg3: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg4: bool, arg5: typing.Any) -> None:
+        ...
+class Sleeve:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Any) -> None:
+        ...
+class Pivot:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg3: typing.Any, arg4: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> None:
+        ...
+class Spring:
+    def __init__(self, arg0: typing.SupportsFloat | typing.SupportsIndex, arg1: typing.SupportsFloat | typing.SupportsIndex, arg2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg3: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg4: typing.Any) -> None:
+        ...
+class Joint:
+    def __init__(self, arg0: tuple, arg1: str, arg2: typing.SupportsInt | typing.SupportsIndex, arg3: bool | None, arg4: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> None:
+        ...
+class Force:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg1: typing.Any, arg2: bool) -> None:
+        ...
+class Moment:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg1: typing.Any, arg2: bool) -> None:
+        ...
+class DistributedForce:
+    def __init__(self, arg0: typing.Any, arg1: typing.SupportsInt | typing.SupportsIndex, arg2: bool) -> None:
+        ...
+class DistributedMoment:
+    def __init__(self, arg0: typing.Any, arg1: typing.SupportsInt | typing.SupportsIndex, arg2: bool) -> None:
+        ...
+class Gravity:
+    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+class RodSolution:
+    """
+    One rod in equilibrium.
+    """
+    @property
+    def Gamma(self) -> numpy.ndarray:
+        ...
+    @property
+    def K(self) -> numpy.ndarray:
+        ...
+    @property
+    def K_before(self) -> numpy.ndarray:
+        ...
+    @property
+    def bend_twist_energy(self) -> float:
+        ...
+    @property
+    def force(self) -> numpy.ndarray:
+        ...
+    @property
+    def frames(self) -> numpy.ndarray:
+        ...
+    @property
+    def largest_K(self) -> float:
+        ...
+    @property
+    def largest_force(self) -> float:
+        ...
+    @property
+    def largest_moment(self) -> float:
+        ...
+    @property
+    def load(self) -> numpy.ndarray:
+        ...
+    @property
+    def load_moment(self) -> numpy.ndarray:
+        ...
+    @property
+    def material_force(self) -> numpy.ndarray:
+        ...
+    @property
+    def material_moment(self) -> numpy.ndarray:
+        ...
+    @property
+    def moment(self) -> numpy.ndarray:
+        ...
+    @property
+    def moment_before(self) -> numpy.ndarray:
+        ...
+    @property
+    def positions(self) -> numpy.ndarray:
+        ...
+    @property
+    def stretch_shear_energy(self) -> float:
+        ...
+    @property
+    def vertex_force(self) -> numpy.ndarray:
+        ...
+    @property
+    def vertex_force_before(self) -> numpy.ndarray:
+        ...
+    @property
+    def vertex_frames(self) -> numpy.ndarray:
+        ...
+class Equilibrium:
+    """
+    A scene, solved.
+    """
+    @property
+    def accuracy(self) -> typing.Any:
+        ...
+    @property
+    def advice(self) -> str:
+        ...
+    @property
+    def descents(self) -> int:
+        ...
+    @property
+    def doubts(self) -> list:
+        ...
+    @property
+    def fill(self) -> float:
+        ...
+    @property
+    def index(self) -> int:
+        ...
+    @property
+    def load_steps(self) -> int:
+        ...
+    @property
+    def lowest_eigenvalue(self) -> float:
+        ...
+    @property
+    def mode(self) -> typing.Any:
+        ...
+    @property
+    def multipliers(self) -> int:
+        ...
+    @property
+    def neutral(self) -> bool:
+        ...
+    @property
+    def reactions(self) -> tuple:
+        ...
+    @property
+    def record(self) -> dict:
+        ...
+    @property
+    def residual(self) -> float:
+        ...
+    @property
+    def rods(self) -> tuple:
+        ...
+    @property
+    def status(self) -> str:
+        ...
+    @property
+    def unknowns(self) -> int:
+        ...
+class Scene:
+    """
+    A scene that is ready to be solved.
+    """
+    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity], space: Dimension) -> None:
+        ...
+    def attachments(self, joint: typing.SupportsInt | typing.SupportsIndex) -> list:
+        ...
+    def climbing_rods(self, given: collections.abc.Sequence[Rod]) -> list:
         """
-        level0: the loads of the coarsest grid, where places are found.
+        The same of a solve with a tolerance.
         """
-    def add_distributed_force(self, force_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    def dead_loads(self, rod: typing.SupportsInt | typing.SupportsIndex) -> tuple:
         ...
-    def add_distributed_moment(self, moment_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    def held(self, support: typing.SupportsInt | typing.SupportsIndex) -> tuple:
         ...
-    def add_following_distributed_force(self, force_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    def level(self, number: typing.SupportsInt | typing.SupportsIndex) -> tuple:
         ...
-    def add_following_distributed_moment(self, moment_per_length: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    def on_climbing_edges(self, frames: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.ndarray:
         ...
-    def add_following_force(self, force: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], at: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def rods(self, given: collections.abc.Sequence[Rod]) -> list:
+        """
+        As they are solved; None for those that are as given.
+        """
+    def solve(self, start: typing.Any, options: Options, tol: typing.SupportsFloat | typing.SupportsIndex | None, stable: bool, eigenvalue: bool, trace: collections.abc.Callable | None, progress: collections.abc.Callable | None) -> Equilibrium:
         ...
-    def add_following_moment(self, moment: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], at: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    def add_force(self, force: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], at: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    def add_moment(self, moment: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], at: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def end_moment(self) -> numpy.typing.NDArray[numpy.float64]:
+    def vertex(self, at: typing.Any) -> tuple:
         ...
     @property
-    def force(self) -> numpy.typing.NDArray[numpy.float64]:
+    def is_cantilever(self) -> bool:
         ...
     @property
-    def moment(self) -> numpy.typing.NDArray[numpy.float64]:
+    def plane(self) -> tuple:
         ...
-    @property
-    def start_moment(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
-class Network:
+def breaks(function: collections.abc.Callable, length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[tuple, bool]:
     """
-    Rods that meet in nodes.
+    Where a function of arc length jumps or has kinks, and whether there is more of that.
     """
-    def __init__(self) -> None:
-        ...
-    def add_node(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], free: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], turns: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], spring: typing.SupportsFloat | typing.SupportsIndex, torsion_spring: typing.SupportsFloat | typing.SupportsIndex) -> int:
-        ...
-    def add_rod(self, rod: Rod, model: Model, loads: Loads, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
-        ...
-    def attach(self, rod: typing.SupportsInt | typing.SupportsIndex, vertex: typing.SupportsInt | typing.SupportsIndex, node: typing.SupportsInt | typing.SupportsIndex, rigid: bool, relative: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], turns: typing.SupportsInt | typing.SupportsIndex, hinge: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> None:
-        ...
-    def job(self, dimension: Dimension, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], start: tuple | None, options: Options, stable: bool, eigenvalue: bool) -> Job:
-        ...
-class Ladder:
-    """
-    A scene on ever finer grids.
-    """
-    @staticmethod
-    def of_cantilever(rod: Rod, loads: Loads, make: collections.abc.Callable | None, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], corners: bool) -> Ladder:
-        ...
-    @staticmethod
-    def of_network(network: Network, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: collections.abc.Sequence[Loads], make: collections.abc.Callable | None, dimension: Dimension, corners: bool) -> Ladder:
-        ...
-    def job(self, start: tuple | None, options: Options, stable: bool, eigenvalue: bool, tolerance: typing.SupportsFloat | typing.SupportsIndex) -> Job:
-        ...
 def build() -> dict:
     """
     Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.
     """
-def cantilever_job(rod: typing.Any, dimension: Dimension, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loads: typing.Any, start: tuple | None, options: Options) -> Job:
+def natural_edges(length: typing.SupportsFloat | typing.SupportsIndex, curvature: typing.Any) -> float:
     ...
-def run_all(jobs: collections.abc.Sequence[Job], numbers: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], threads: typing.SupportsInt | typing.SupportsIndex, progress: collections.abc.Callable | None) -> list[Solution]:
+def solve_all(scenes: collections.abc.Sequence[Scene], starts: list, options: Options, tol: typing.SupportsFloat | typing.SupportsIndex | None, stable: bool, eigenvalue: bool, threads: typing.SupportsInt | typing.SupportsIndex, progress: collections.abc.Callable | None) -> list[Equilibrium]:
     ...

@@ -10,9 +10,9 @@ import numpy as np
 from pyrod._along import Ends, Sections
 from pyrod._document.problems import Here
 from pyrod._document.schema import MOST_EDGES, ROD, Jump
-from pyrod._grading import natural_edges
 from pyrod._immutable import Array, frozen
-from pyrod._law import NO_JUMPS, Jumps, Made, Material, Points, Table
+from pyrod._law import NO_JUMPS, Jumps, Made, Points, Table
+from pyrod._sampling import natural_edges
 from pyrod.curve import Polyline
 from pyrod.outline import Outline
 from pyrod.rod import Rod
@@ -42,8 +42,8 @@ def check_form(values: dict[str, Any], here: Here) -> None:
     for key in values:
         if key in ROD.keys and key not in needed | allowed:
             (here / key).wrong(f'does not go with "{form}"')
-    if "grid" in values and ("jumps" in values or {"edges", "vertices"} <= values.keys()):
-        (here / "grid").wrong('does not go with "jumps", nor with "edges" and "vertices"')
+    if {"grid", "edges", "vertices"} <= values.keys():
+        (here / "grid").wrong('does not go with "edges" and "vertices"')
     return None
 
 
@@ -87,10 +87,13 @@ def _curve(values: dict[str, Any], section: Sections) -> Rod:
 
 def _table(values: dict[str, Any]) -> Rod:
     rod = Rod(**{name: values[name] for name in _GIVEN if name in values})
-    jumps = _jumps(values["jumps"], rod) if "jumps" in values else NO_JUMPS
-    shapes = _shapes(values.get("outlines", {}), rod.edges)
-    law = replace(rod._table(), shapes=shapes, corners=values.get("corners", False))
-    return replace(rod, _law=law, _made=Material(*rod._arrays(), jumps))
+    law = replace(
+        rod._table(),
+        shapes=_shapes(values.get("outlines", {}), rod.edges),
+        corners=values.get("corners", False),
+        jumps=_jumps(values["jumps"], rod) if "jumps" in values else NO_JUMPS,
+    )
+    return Rod._of(law.compiled(rod.model, rod.placement, False), law, rod.placement)
 
 
 def outline_of(shape: dict[str, Any]) -> Outline | None:
@@ -153,10 +156,10 @@ def written(rod: Rod, name_of: Any) -> dict[str, Any]:
         values, base = _by_law(rod, law, name_of), law.base
     else:
         table = law if isinstance(law, Table) else rod._table()
-        values, base = _by_arrays(table, rod), table.base
+        jumps = table.jumps if table is law else rod._rod.jumps
+        values, base = _by_arrays(table, rod.model, jumps), table.base
     if not np.array_equal(base, rod.edge_lengths) and not _regraded(rod, law):
         values["grid"] = rod.edge_lengths
-        values.pop("jumps", None)
     position, frame = rod.placement
     if position.any():
         values["position"] = position
@@ -200,9 +203,9 @@ def _whole_length(h: Array) -> float | None:
     return None
 
 
-def _by_arrays(table: Table, rod: Rod) -> dict[str, Any]:
+def _by_arrays(table: Table, model: str, jumps: Jumps) -> dict[str, Any]:
     arrays = table.base, table.bending, table.stretching, table.K0
-    values: dict[str, Any] = dict(zip(ARRAYS, arrays, strict=True), model=rod.model)
+    values: dict[str, Any] = dict(zip(ARRAYS, arrays, strict=True), model=model)
     if table.mass.any():
         values["mass_per_length"] = table.mass
     if any(x is not None for ends in table.shapes for x in ends):
@@ -211,7 +214,7 @@ def _by_arrays(table: Table, rod: Rod) -> dict[str, Any]:
         values["outlines"] = one if all(x == one for pair in pairs for x in pair) else pairs
     if table.corners:
         values["corners"] = True
-    at, sides = NO_JUMPS if rod._made is None else rod._made.jumps
+    at, sides = jumps
     if at:
         values["jumps"] = [
             Jump(j, side[[0, 2]], side[[1, 3]]) for j, side in zip(at, sides, strict=True)

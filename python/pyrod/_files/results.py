@@ -17,14 +17,13 @@ from pyrod.scene import Scene
 FORMAT = "pyrod result 1"
 """Told in every file; the number grows when older readers cannot read newer files."""
 
-_ARRAYS = {"record", "mode", "_nodes", "rods", "reactions"}
+_ARRAYS = {"record", "mode", "rods", "reactions"}
 _PARTS = {"scene", "accuracy"} | _ARRAYS
 _PLAIN = tuple(f.name for f in fields(Equilibrium) if f.name not in _PARTS)
 _ROD = tuple(f.name for f in fields(RodEquilibrium) if f.name != "rod")
 _ENERGIES = ("bend_twist_energy", "stretch_shear_energy")
 _LARGEST = ("largest_K", "largest_force", "largest_moment")
 _ROD_ARRAYS = tuple(name for name in _ROD if name not in _ENERGIES + _LARGEST)
-_NODES = ("node_positions", "node_frames")
 
 
 class Parts(NamedTuple):
@@ -49,8 +48,6 @@ def taken_apart(result: Equilibrium) -> Parts:
         arrays |= {f"reactions/{number}/{k}": v for k, v in reaction._asdict().items()}
     if result.mode is not None:
         arrays["mode"] = result.mode
-    if result._nodes is not None:
-        arrays |= dict(zip(_NODES, result._nodes, strict=True))
     return Parts(head, arrays)
 
 
@@ -78,8 +75,6 @@ def put_together(parts: Parts) -> Equilibrium:
     }
     edges = sum(rod.edges for rod in scene.rods)
     state["mode"] = _of_shape(arrays, "mode", (edges, 3)) if "mode" in arrays else None
-    nodes = tuple(arrays[name] for name in _NODES if name in arrays)
-    state["_nodes"] = nodes or None
     return Equilibrium(**sealed(state))
 
 

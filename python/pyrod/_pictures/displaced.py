@@ -35,16 +35,16 @@ def mode_displacements(result: Equilibrium) -> list[Array]:
 
 def _starts(result: Equilibrium, relative: list[Array]) -> Array:
     """(rods, 3) displacements of the starts: the least that supports and joints allow."""
-    network, count = result.scene._network, len(result.rods)
+    vertex_at, count = result.scene._vertex, len(result.rods)
     rows: list[Array] = [np.zeros((0, 3 * count))]
     right: list[Array] = [np.zeros(0)]
     for support in result.scene.supports:
-        rod, vertex = network._vertex(support.at)
+        rod, vertex = vertex_at(support.at)
         held = _held(support._free(result.rods[rod].vertex_frames[vertex]))
         rows.append(np.kron(np.eye(count)[rod], held))
         right.append(-held @ relative[rod][vertex])
     for joint in result.scene.joints:
-        (first, at), *others = [network._vertex(point) for point in joint.points]
+        (first, at), *others = [vertex_at(point) for point in joint.points]
         for rod, vertex in others:
             rows.append(np.kron(np.eye(count)[rod] - np.eye(count)[first], np.eye(3)))
             right.append(relative[first][at] - relative[rod][vertex])

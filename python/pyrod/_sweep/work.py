@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import Any, Literal, NamedTuple
 
 from pyrod._jobs import How
-from pyrod._solve import doubts, found, refuse_drift
+from pyrod._solve import doubts, found
 from pyrod._sweep.measures import Measure, plain
 from pyrod.equilibrium import Equilibrium
 from pyrod.errors import NotConverged
@@ -60,10 +60,9 @@ class Work:
         result, values, told, error = None, None, "", ""
         try:
             result = found(self._scene(arguments), self.how, self.model, start)
-            refuse_drift(result)
             if not result.converged:
                 raise NotConverged(result)
-            told = "; ".join(f"{kind.__name__}: {x}" for kind, x in doubts(result, self.how.stable))
+            told = "; ".join(f"{kind.__name__}: {x}" for kind, x in doubts(result))
             values = plain(self.measure(result), arguments)
         except Exception as failure:  # of this case only; the others go on
             error = f"{type(failure).__name__}: {failure}"

@@ -206,12 +206,12 @@ TEST_CASE("places that differ by rounding are one vertex") {
   balances(found);
 }
 
-TEST_CASE("lists keep the ends of their edges on the solver's own grid; functions are doubted") {
-  const auto tip = [](const Along<Section>& section, const Along<Vec3>& force, bool function) {
+TEST_CASE("lists keep the ends of their edges on the solver's own grid, and so do functions") {
+  const auto tip = [](const Along<Section>& section, const Along<Vec3>& force) {
     const Scene scene(straight(1.0, automatic, section), {Clamp{}},
                       {Force{{1, 0, 0}, 0.37}, DistributedForce{force}});
     const auto found = solve(scene, {.tol = 1e-8});
-    CHECK(found.doubts.size() == std::size_t(function));
+    CHECK(found.doubts.empty());
     return found.tip();
   };
   std::vector<Section> sections(8, round_one);
@@ -220,13 +220,7 @@ TEST_CASE("lists keep the ends of their edges on the solver's own grid; function
   forces.insert(forces.end(), 9, Vec3(0, 0, 0));
   const auto section = [&](double s) { return s < 0.5 ? sections[0] : sections[15]; };
   const auto force = [&](double s) { return s < 7. / 16 ? forces[0] : forces[15]; };
-  const Vec3 lists = tip(sections, forces, false);
-  Scene marked(with_vertices(straight(1.0, automatic, section), {0.5, 7. / 16}), {Clamp{}},
-               {Force{{1, 0, 0}, 0.37}, DistributedForce{force}});
-  const auto functions = solve(marked, {.tol = 1e-8});
-  CHECK((functions.tip() - lists).norm() < 2e-8);
-  CHECK(functions.doubts.size() == 1);
-  tip([](double s) { return Section(1 + s, 1, 0.7); }, Vec3(1, 0, 0), true);
+  CHECK((tip(section, force) - tip(sections, forces)).norm() < 2e-8);
 }
 
 TEST_CASE("saddles are left for stable shapes, or kept and doubted") {

@@ -65,21 +65,13 @@ def test_a_spring_beside_a_load_that_jumps(at: float) -> None:
 
 
 def check_levels(scene: Scene, deepest: int) -> None:
-    """Every level has the edges of level 0, cut, and its nodes and loads on the same vertices."""
-    ladder = scene._ladder
-    base = ladder.scene
+    """Every level has the edges of level 0, cut, and its nodes on the same vertices."""
+    edges, attached, _ = scene._core.level(0)
+    assert edges == [rod.edges for rod in scene._climbing.rods]
     for level in range(1, deepest + 1):
-        fine = base._refined(level)
-        assert [rod.edges for rod in fine.rods] == [rod.edges << level for rod in base.rods]
-        for support in base.supports:
-            rod, vertex = base._vertex(support.at)
-            assert fine._vertex(support.at) == (rod, vertex << level)
-        for joint in base.joints:
-            for place in joint.points:
-                rod, vertex = base._vertex(place)
-                assert fine._vertex(place) == (rod, vertex << level)
-        for load, on in zip(base.loads, fine.loads, strict=True):
-            assert type(load) is type(on)
+        finer, there, _ = scene._core.level(level)
+        assert finer == [count << level for count in edges]
+        assert there == [(rod, vertex << level) for rod, vertex in attached]
 
 
 @pytest.mark.parametrize("n", [7, 16, None])
@@ -87,20 +79,20 @@ def test_point_loads_are_on_one_vertex_of_every_level(n: int | None) -> None:
     """Also where their arc length is not that of the vertex, to the last bit."""
     for at in PLACES:
         loads = [Force((1, 2, 3), at=at), Moment((0, 1, 0), at=at)]
-        base = Scene(Rod.straight(1.0, n, ROUND), Clamp(), loads)._ladder.scene
-        vertex = int(np.abs(base.rod.arc_lengths - at).argmin())
+        scene = Scene(Rod.straight(1.0, n, ROUND), Clamp(), loads)
+        vertex = int(np.abs(scene._climbing.rod.arc_lengths - at).argmin())
         for level in (0, 1, 5, 12):
-            on = base._refined(level)._loads[0]
-            assert np.flatnonzero(on.force.any(axis=1)).tolist() == [vertex << level]
-            assert np.array_equal(on.force[vertex << level], (1, 2, 3))
-            beside = np.flatnonzero(on.moment.any(axis=1)).tolist()
+            force, moment, *_ = scene._core.level(level)[2][0]
+            assert np.flatnonzero(force.any(axis=1)).tolist() == [vertex << level]
+            assert np.array_equal(force[vertex << level], (1, 2, 3))
+            beside = np.flatnonzero(moment.any(axis=1)).tolist()
             assert beside == [(vertex << level) - 1, vertex << level]
-            assert np.allclose(on.moment[beside].sum(axis=0), (0, 1, 0), rtol=0, atol=1e-15)
-            assert (on.moment[beside, 1] > 0.01).all()
+            assert np.allclose(moment[beside].sum(axis=0), (0, 1, 0), rtol=0, atol=1e-15)
+            assert (moment[beside, 1] > 0.01).all()
 
 
 def test_loads_without_functions_are_the_same_by_either_way() -> None:
-    """Levels that are halved without Python, and those that Python makes."""
+    """Levels that ask a function of Python, and those that do not."""
     loads: list[Any] = [
         Force((1, 0.5, -1), at=0.7),
         Moment((0.1, 0.2, 0), at=0.3),

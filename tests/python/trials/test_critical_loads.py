@@ -240,7 +240,7 @@ def random_columns(count: int) -> Any:
 def test_many_sections_that_jump(seen: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """No error is larger than told; if the jump is seen, most are not much smaller either."""
     if not seen:
-        monkeypatch.setattr("pyrod._ladder._with_breaks", lambda scene: (scene, None))
+        monkeypatch.setattr(Scene, "_climbing", property(lambda scene: scene))
     times, warned = [], 0
     for n, at, EI in random_columns(170):
         with warnings.catch_warnings(record=True) as caught:
@@ -258,7 +258,7 @@ def test_many_sections_that_jump(seen: bool, monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_jumps_that_are_not_seen_are_warned_of(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pyrod._ladder._with_breaks", lambda scene: (scene, None))
+    monkeypatch.setattr(Scene, "_climbing", property(lambda scene: scene))
     with pytest.warns(AccuracyWarning, match="converge with order .* is not smooth inside an edge"):
         found = critical_load(stepped(8, 0.55, 10))
     assert abs(found.factor - of_stepped(0.55, 10)) <= found.error

@@ -20,8 +20,8 @@ from pyrod import (
     Rod,
     Scene,
     Section,
+    _core,
 )
-from pyrod._breaks import breaks_of
 
 Array = np.ndarray
 ROUND = Section(EI1=1.0, EI2=1.0, GJ=0.7)
@@ -148,12 +148,12 @@ def test_sections_and_curvatures_that_jump() -> None:
 )
 def test_places_are_found(function: Callable[[float], object], places: list[float]) -> None:
     for length in (1.0, 250.0):
-        found = breaks_of(lambda s, L=length: function(s / L), length)
-        assert not found.unresolved
-        assert len(found.at) == len(places)
+        at, unresolved = _core.breaks(lambda s, L=length: function(s / L), length)
+        assert not unresolved
+        assert len(at) == len(places)
         exact = np.array(places) * length
         near = 1e-4 if len(places) == 1 and function(0.9)[0] == (0.9 - AT) ** 2 else 1e-9
-        assert np.abs(np.array(found.at) - exact).max() < near * length
+        assert np.abs(np.array(at) - exact).max() < near * length
 
 
 @pytest.mark.parametrize(
@@ -167,7 +167,7 @@ def test_places_are_found(function: Callable[[float], object], places: list[floa
     ],
 )
 def test_smooth_functions_have_none(function: Callable[[float], object]) -> None:
-    found = breaks_of(function, 1.0)
+    found = _core.breaks(function, 1.0)
     assert found == ((), False)
 
 
@@ -181,7 +181,7 @@ def test_smooth_functions_have_none(function: Callable[[float], object]) -> None
     ids=["noise", "singular", "too many"],
 )
 def test_what_cannot_be_found_is_told(function: Callable[[float], object]) -> None:
-    assert breaks_of(function, 1.0).unresolved
+    assert _core.breaks(function, 1.0)[1]
     scene = Scene(Rod.straight(1.0, None, ROUND), Clamp(), DistributedForce(function))
     with pytest.warns(AccuracyWarning, match="load 0 has more jumps and kinks"):
         pyrod.solve(scene, tol=1e-2)
@@ -194,21 +194,33 @@ def test_what_cannot_be_found_is_told_with_what_is_not_reached() -> None:
         pyrod.solve(scene, pyrod.Options(max_edges=512), tol=1e-6)
 
 
+def test_what_functions_raise_comes_through() -> None:
+    def ends_early(s: float) -> float:
+        if s > 0.7:
+            raise LookupError(s)
+        return s
+
+    with pytest.raises(LookupError):
+        _core.breaks(ends_early, 1.0)
+    for start, end in ((0.5, 1.1), (0.501, 0.51)):  # at the first samples, and between them
+        with pytest.raises(ValueError, match=r"gives 3 numbers at 0\.50?.*, and 2 at 0"):
+            _core.breaks(lambda s, a=start, b=end: (1, 2, 3) if a <= s <= b else (1, 2), 1.0)
+
+
 def test_vertices_that_are_there_are_taken() -> None:
     """Breaks beside a vertex, a support or another break are these."""
     stepped = lambda s: ROUND if s < 0.1 * 3 else Section(2.0, 2.0, 1.0)  # noqa: E731
     rod = Rod.straight(1.0, None, stepped).with_vertices([0.3])
     load = DistributedForce(lambda s: (float(s > 0.3), 0, 0))
     scene = Scene(rod, [Clamp(), pyrod.Spring(5.0, at=0.3)], [load, Moment((0, 1, 0), at=0.3)])
-    assert scene._ladder.scene.rod.edges == rod.edges
+    assert scene._climbing.rod.edges == rod.edges
     assert rod.edge_lengths.min() > 0.01
     assert rod.with_vertices([0.1 * 3]).edges == rod.edges
 
 
 def test_scenes_without_functions_ask_nothing() -> None:
     scene = Scene(Rod.straight(1.0, 16, ROUND), Clamp(), Force((1, 0, 0)))
-    assert scene._ladder.scene is scene
-    assert not scene._ladder.asks
+    assert scene._climbing is scene
 
 
 def test_the_search_is_made_once() -> None:
@@ -223,7 +235,7 @@ def test_the_search_is_made_once() -> None:
     counts = []
     for scene in scenes:
         before = len(asked)
-        assert scene._ladder.scene.rod.edges >= 16
+        assert scene._climbing.rod.edges >= 16
         counts.append(len(asked) - before)
     assert counts[1] < 150 < counts[0]
 

@@ -3,16 +3,52 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/scene/breaks.hpp>
 
+#include <concepts>
 #include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 namespace pyrod {
 
+/// A function of arc length. Copies share what is found of it.
 template <class T>
-using Along = std::variant<T, std::vector<T>, std::function<T(double s)>>;
+class FunctionAlong {
+ public:
+  template <class F>
+    requires(std::is_invocable_r_v<T, F&, double> && !std::same_as<F, FunctionAlong>)
+  FunctionAlong(F function) : shared_(std::make_shared<Shared>()) {
+    shared_->function = std::move(function);
+  }
+
+  T operator()(double s) const { return shared_->function(s); }
+  explicit operator bool() const { return bool(shared_->function); }
+
+  /// Its jumps and kinks on a rod so long, that `find()` finds the first time.
+  template <class Find>
+  const Breaks& breaks(double length, const Find& find) const {
+    const std::lock_guard lock(shared_->busy);
+    const auto known = shared_->breaks.find(length);
+    if (known != shared_->breaks.end()) return known->second;
+    return shared_->breaks.emplace(length, find()).first->second;
+  }
+
+ private:
+  struct Shared {
+    std::function<T(double)> function;
+    std::map<double, Breaks> breaks;
+    std::mutex busy;
+  };
+  std::shared_ptr<Shared> shared_;
+};
+
+template <class T>
+using Along = std::variant<T, std::vector<T>, FunctionAlong<T>>;
 
 template <class T>
 bool is_function(const Along<T>& along) {

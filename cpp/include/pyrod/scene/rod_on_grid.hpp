@@ -2,18 +2,11 @@
 /// \file A rod as it is made, on one grid: stiffnesses and curvature of its cells and edges.
 #pragma once
 
-#include <pyrod/scene/rod_spec.hpp>
+#include <pyrod/scene/arrays_on_grid.hpp>
 
 #include <algorithm>
 
 namespace pyrod {
-
-/// A discrete rod, and the masses per length of its edges.
-struct RodOnGrid {
-  Rod<Spatial> rod;
-  std::vector<double> mass;
-  ModelKind richest;  ///< that its finite stiffnesses allow
-};
 
 namespace detail {
 
@@ -26,15 +19,13 @@ class RodMaker {
         same_(h.size() == spec.base.size() && h == spec.base) {}
 
   RodOnGrid make() {
+    if (spec_.arrays) return ArraysOnGrid(spec_, grid_, base_, same_).make();
     on_edges_ = sections();
     RodOnGrid out{{grid_, bending(), {}, curvature()}, {}, ModelKind::inextensible};
     for (const auto& c : on_edges_) {
       out.rod.stretching.emplace_back(c.GA1, c.GA2, c.EA);
       out.mass.push_back(c.mass_per_length);
-      const auto allowed = !std::isinf(c.GA1)  ? ModelKind::cosserat
-                           : !std::isinf(c.EA) ? ModelKind::extensible
-                                               : ModelKind::inextensible;
-      out.richest = std::min(out.richest, allowed);
+      out.richest = std::min(out.richest, richest(out.rod.stretching.back()));
     }
     for (const int j : jumping_vertices()) add_jump(j, out.rod);
     return out;
@@ -44,20 +35,13 @@ class RodMaker {
   static Vec3 bending_of(const Section& c) { return {c.EI1, c.EI2, c.GJ}; }
   const Vector& s() const { return grid_.arc_lengths(); }
 
-  /// The edge of the base grid that the arc length is on.
-  int base_edge(double at) const {
-    const auto& ends = base_.arc_lengths();
-    const auto behind = std::upper_bound(ends.begin(), ends.end(), at) - ends.begin();
-    return std::clamp(int(behind) - 1, 0, base_.edges() - 1);
-  }
-
   std::vector<Section> sections() const {
     const auto* list = std::get_if<std::vector<Section>>(&spec_.section);
     if (!list) return sampled(spec_.section, centres(s()), "section", "edge");
     require_count(Eigen::Index(list->size()), base_.edges(), "section", "one per edge");
     if (same_) return *list;
     std::vector<Section> out;
-    for (const double at : centres(s())) out.push_back((*list)[std::size_t(base_edge(at))]);
+    for (const double at : centres(s())) out.push_back((*list)[std::size_t(edge_at(base_, at))]);
     return out;
   }
 
@@ -87,28 +71,7 @@ class RodMaker {
     if (!list) return sampled(spec_.curvature, s(), "curvature", "vertex");
     require_count(Eigen::Index(list->size()), base_.edges() + 1, "curvature", "one per vertex");
     if (same_) return *list;
-    return spec_.corners ? at_corners(*list) : interpolated(*list);
-  }
-
-  std::vector<Vec3> interpolated(const std::vector<Vec3>& given) const {
-    std::vector<Vec3> out;
-    for (const double at : s()) {
-      const int j = base_edge(at);
-      const double part = std::clamp((at - base_.s(j)) / base_.h(j), 0., 1.);
-      out.push_back((1 - part) * given[std::size_t(j)] + part * given[std::size_t(j) + 1]);
-    }
-    return out;
-  }
-
-  /// Curvature whose turns, those of the polygon, are all at its vertices.
-  std::vector<Vec3> at_corners(const std::vector<Vec3>& given) const {
-    std::vector<Vec3> out(std::size_t(grid_.vertices()), Vec3::Zero());
-    const Vector middle = centres(s());
-    for (int j = 0; j < base_.vertices(); ++j) {
-      const auto at = std::lower_bound(middle.begin(), middle.end(), base_.s(j)) - middle.begin();
-      out[std::size_t(at)] = given[std::size_t(j)] * (base_.Δs(j) / grid_.Δs(int(at)));
-    }
-    return out;
+    return spec_.corners ? at_corners(*list, base_, grid_) : interpolated(*list, base_, s());
   }
 
   /// Inner vertices at which sections of a list differ, or functions may jump.
@@ -158,73 +121,21 @@ class RodMaker {
   std::vector<Section> on_edges_;
 };
 
-/// Lengths of edges with more vertices; within 1e-9 of an edge's length of a vertex there is one.
-inline Vector cut(const Vector& h, const std::vector<double>& at) {
-  const Grid grid(h);
-  std::vector<double> s(grid.arc_lengths().begin(), grid.arc_lengths().end());
-  const std::size_t there = s.size();
-  for (const double place : at) {
-    const auto behind = std::upper_bound(s.begin(), s.begin() + std::ptrdiff_t(there), place);
-    const int j = std::clamp(int(behind - s.begin()) - 1, 0, grid.edges() - 1);
-    const double part = (place - grid.s(j)) / grid.h(j);
-    const auto is_there = [&](double other) { return std::abs(other - place) <= 1e-9 * grid.h(j); };
-    const bool told = std::any_of(s.begin() + std::ptrdiff_t(there), s.end(), is_there);
-    if (part > 1e-9 && part < 1 - 1e-9 && !told) s.push_back(place);
-  }
-  if (s.size() == there) return h;
-  std::ranges::sort(s);
-  s.erase(std::ranges::unique(s).begin(), s.end());
-  Vector out(Eigen::Index(s.size()) - 1);
-  for (Eigen::Index j = 0; j < out.size(); ++j) out[j] = s[std::size_t(j) + 1] - s[std::size_t(j)];
-  return out;
-}
-
-/// About as many edges, equal between the breaks and at least two there.
-inline Vector graded(double length, const std::vector<double>& breaks, int edges) {
-  std::vector<double> h;
-  double from = 0;
-  const auto piece = [&](double to) {
-    const int count = std::max(2, int(std::lrint(edges * (to - from) / length)));
-    h.insert(h.end(), std::size_t(count), (to - from) / count);
-    from = to;
-  };
-  for (const double s : breaks) piece(s);
-  piece(length);
-  return Eigen::Map<const Vector>(h.data(), Eigen::Index(h.size()));
-}
-
 }  // namespace detail
 
-/// On the grid that it asks for, with every edge cut in so many.
-inline RodOnGrid on_grid(const RodSpec& spec, int parts = 1) {
+/// On the grid that it asks for, with every edge cut in so many; whatever its model is.
+inline RodOnGrid made_on_grid(const RodSpec& spec, int parts = 1) {
+  if (parts == 1) return detail::RodMaker(spec, spec.edge_lengths).make();
   Vector h(spec.edge_lengths.size() * parts);
   for (Eigen::Index j = 0; j < h.size(); ++j) h[j] = spec.edge_lengths[j / parts] / parts;
-  auto out = detail::RodMaker(spec, h).make();
-  out.rod = in_model(std::move(out.rod), spec.model.value_or(out.richest));
-  return out;
+  return detail::RodMaker(spec, h).make();
 }
 
-/// The same rod with vertices at the arc lengths [m]. Where the solver chooses the grid, they are
-/// kept.
-inline RodSpec with_vertices(RodSpec spec, const std::vector<double>& at) {
-  const Grid grid(spec.edge_lengths);
-  for (const double s : at) grid.on_rod(s);
-  if (is_function(spec.section) || is_function(spec.curvature))
-    spec.marks.insert(spec.marks.end(), at.begin(), at.end());
-  if (!spec.chooses) {
-    spec.edge_lengths = detail::cut(spec.edge_lengths, at);
-    return spec;
-  }
-  const double length = spec.length(), near = 1e-9 * length;
-  const std::size_t before = spec.kept.size();
-  for (const double s : at) {
-    const auto is = [&](double other) { return std::abs(other - s) <= near; };
-    if (!is(0) && !is(length) && std::ranges::none_of(spec.kept, is)) spec.kept.push_back(s);
-  }
-  if (spec.kept.size() == before) return spec;
-  std::ranges::sort(spec.kept);
-  spec.edge_lengths = detail::graded(length, spec.kept, spec.edges());
-  return spec;
+/// The same in its model, as it is solved.
+inline RodOnGrid on_grid(const RodSpec& spec, int parts = 1) {
+  auto out = made_on_grid(spec, parts);
+  out.rod = in_model(std::move(out.rod), spec.model.value_or(out.richest));
+  return out;
 }
 
 }  // namespace pyrod

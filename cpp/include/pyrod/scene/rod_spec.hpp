@@ -3,11 +3,13 @@
 #pragma once
 
 #include <pyrod/curve/framing.hpp>
+#include <pyrod/rod/jump.hpp>
 #include <pyrod/rod/section.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/scene/placement.hpp>
 
+#include <memory>
 #include <optional>
 
 namespace pyrod {
@@ -15,10 +17,19 @@ namespace pyrod {
 /// For the number of edges: the solver chooses them, to the accuracy that is wanted.
 inline constexpr std::nullopt_t automatic = std::nullopt;
 
-/// Sections and curvature at rest along a rod. Make one with `straight`, `precurved` or
-/// `from_curve`.
+/// What a rod of n edges is made of, as a discrete rod stores it: between its vertices compliance
+/// and curvature are linear.
+struct RodArrays {
+  std::vector<Vec3> bending;     ///< (EI1, EI2, GJ) at the n + 1 vertices
+  std::vector<Vec3> stretching;  ///< (GA1, GA2, EA) of the n edges
+  std::vector<double> mass;      ///< per length, of the n edges
+  std::vector<Jump<Spatial>> jumps = {};
+};
+
+/// Sections and curvature at rest along a rod. Make one with `straight`, `precurved`, `from_curve`
+/// or `discrete`.
 struct RodSpec {
-  Along<Section> section;  ///< a list: one per edge of `base`
+  Along<Section> section;  ///< a list: one per edge of `base`; empty: there are `arrays`
   Along<Vec3> curvature;   ///< K⁰ [1/m]; a list: one per vertex of `base`, linear between
   Vector base;             ///< lengths of the edges that were given
   Vector edge_lengths;     ///< of the grid that it is solved on
@@ -26,7 +37,8 @@ struct RodSpec {
   bool corners = false;    ///< a polygon: all of its turn is at its vertices, on any grid
   std::optional<ModelKind> model = {};  ///< none: the richest that its finite stiffnesses allow
   Placement<Spatial> placement = {};    ///< of its start, at rest
-  std::vector<double> kept = {}, marks = {};  ///< arc lengths; `marks`: where functions may jump
+  std::vector<double> kept = {}, marks = {};     ///< arc lengths; `marks`: where functions may jump
+  std::shared_ptr<const RodArrays> arrays = {};  ///< instead of sections
 
   double length() const { return Grid(edge_lengths).length(); }
   int edges() const { return int(edge_lengths.size()); }
@@ -62,7 +74,7 @@ inline std::vector<double> steps(const RodSpec& spec) {
 inline constexpr double most_edges = 1e8;  // their unknowns are counted in 32 bits
 
 /// As many edges that the rod at rest turns little from edge to edge.
-inline int natural_edges(double length, const Along<Vec3>& curvature) {
+inline double natural_edges(double length, const Along<Vec3>& curvature) {
   require(std::isfinite(length) && length > 0, "length: must be positive, got ", length);
   require(curvature.index() != 1,
           "curvature: one per vertex needs edges; give their number, or a function");
@@ -72,9 +84,7 @@ inline int natural_edges(double length, const Along<Vec3>& curvature) {
     K = std::max(K, one.norm());
   }
   constexpr double turn = 0.4;  // [rad], the most from edge to edge
-  require(length * K / turn <= most_edges, "curvature: the rod at rest turns by ", length * K,
-          " rad, which more than ", most_edges, " edges would be needed for");
-  return std::max(16, 2 * int(std::ceil(length * K / turn / 2)));
+  return std::max(16., 2 * std::ceil(length * K / turn / 2));
 }
 
 }  // namespace detail
@@ -90,11 +100,26 @@ inline RodSpec precurved(const Vector& edge_lengths, const Along<Section>& secti
 /// Of equal edges: their number, or `automatic`.
 inline RodSpec precurved(double length, std::optional<int> edges, const Along<Section>& section,
                          const Along<Vec3>& curvature, std::optional<ModelKind> model = {}) {
-  const int n = edges ? *edges : detail::natural_edges(length, curvature);
+  const double n = edges ? *edges : detail::natural_edges(length, curvature);
   require(n <= detail::most_edges, "edges: must be at most ", detail::most_edges, ", got ", n);
-  auto out = precurved(Grid::uniform(length, n).edge_lengths(), section, curvature, model);
+  auto out = precurved(Grid::uniform(length, int(n)).edge_lengths(), section, curvature, model);
   out.chooses = !edges;
   if (out.chooses) out.kept = detail::steps(out);  // sections keep their ends on any grid
+  return out;
+}
+
+/// A rod that is given by the arrays of a discrete rod (Linn 2020, B.7), with the curvature at rest
+/// at its vertices.
+inline RodSpec discrete(const Vector& edge_lengths, RodArrays arrays, std::vector<Vec3> K0,
+                        ModelKind model) {
+  const int n = Grid(edge_lengths).edges();
+  require_count(Eigen::Index(arrays.bending.size()), n + 1, "bending", "one per vertex");
+  require_count(Eigen::Index(arrays.stretching.size()), n, "stretching", "one per edge");
+  require_count(Eigen::Index(K0.size()), n + 1, "K0", "one per vertex");
+  if (arrays.mass.empty()) arrays.mass.assign(std::size_t(n), 0);
+  require_count(Eigen::Index(arrays.mass.size()), n, "mass", "one per edge");
+  auto out = precurved(edge_lengths, std::vector<Section>{}, std::move(K0), model);
+  out.arrays = std::make_shared<const RodArrays>(std::move(arrays));
   return out;
 }
 

@@ -9,11 +9,13 @@
 
 namespace pyrod {
 
-/// The network of a scene, the plane it is in if its space is one, and the node of each support.
+/// The network of a scene, the plane it is in if its space is one, the node of each support and of
+/// each joint, and where each support holds its point and its frame.
 struct SceneNetwork {
   Network<Spatial> network;
   Placement<Spatial> plane;
-  std::vector<int> support_nodes;
+  std::vector<int> support_nodes, joint_nodes;
+  std::vector<Placement<Spatial>> held;
 };
 
 namespace detail {
@@ -32,12 +34,13 @@ class NetworkMaker {
   }
 
   SceneNetwork make() {
-    for (const auto& joint : scene_.joints) join(joint);
+    for (std::size_t i = 0; i < scene_.joints.size(); ++i) join(scene_.joints[i], i);
     for (const auto& support : scene_.supports) support_on(support);
     for (int i = 0; i < int(scene_.rods.size()); ++i) add_rod(i);
     for (auto& meeting : nodes_) add(meeting);
-    for (const auto& support : scene_.supports)
-      out_.support_nodes.push_back(nodes_[owner_.at(point(place_of(support)))].number);
+    for (const auto& support : scene_.supports) tell(nodes_[owner_.at(point(place_of(support)))]);
+    for (const auto& joint : scene_.joints)
+      out_.joint_nodes.push_back(nodes_[owner_.at(point(joint.points[0]))].number);
     return std::move(out_);
   }
 
@@ -53,7 +56,13 @@ class NetworkMaker {
     Point held = {};
     std::map<Point, int> turns = {};
     int number = -1;
+    Placement<Spatial> at = {};  ///< where its support holds it
   };
+
+  void tell(const Meeting& meeting) {
+    out_.support_nodes.push_back(meeting.number);
+    out_.held.push_back(meeting.at);
+  }
 
   Point point(const Place& at) const { return {at.rod, on_.vertex(at)}; }
 
@@ -63,7 +72,7 @@ class NetworkMaker {
     return nodes_[found->second];
   }
 
-  void join(const Joint& joint) {
+  void join(const Joint& joint, std::size_t number) {
     require(joint.points.size() >= 2, "points: a joint needs two or more, got ",
             joint.points.size());
     require((joint.kind == JointKind::hinge) == joint.axis.has_value(),
@@ -74,8 +83,8 @@ class NetworkMaker {
     for (std::size_t i = 1; i < points.size(); ++i)
       require(std::find(points.begin(), points.begin() + std::ptrdiff_t(i), points[i]) ==
                   points.begin() + std::ptrdiff_t(i),
-              "joints: the points are not different vertices: vertex ", points[i].second,
-              " of rod ", points[i].first, " twice");
+              "joints: the points of joint ", number, " are not different vertices: vertex ",
+              points[i].second, " of rod ", points[i].first, " twice");
     owned(first);
     const std::size_t node = owner_.at(first);
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -142,7 +151,8 @@ class NetworkMaker {
     }
     require(position.allFinite(), "supports: position: expected finite numbers, got ",
             position.transpose());
-    const auto near = nearest({position, frame});
+    meeting.at = {position, frame};
+    const auto near = nearest(meeting.at);
     Node<Spatial> node;
     node.position = meeting.support ? position : near.position;
     node.frame = held.frame || held.turns.cols() < 3 ? frame : near.frame;

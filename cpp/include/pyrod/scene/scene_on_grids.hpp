@@ -3,47 +3,83 @@
 #pragma once
 
 #include <pyrod/scene/scene.hpp>
+#include <pyrod/scene/with_vertices.hpp>
 #include <pyrod/statics/loads.hpp>
 
 namespace pyrod {
 
-/// The scene with vertices where rods are held and joined; and where point loads act, of rods
-/// whose grid the solver chooses, or of all. Lists of loads become steps, which hold on any grid.
-inline Scene with_vertices_at_places(Scene scene, bool all) {
-  scene.check_places();
-  std::vector<std::vector<double>> at(scene.rods.size());
+namespace detail {
+
+/// Arc lengths at which rods need vertices, rod by rod.
+using Wanted = std::vector<std::vector<double>>;
+
+/// Where rods are held and joined; and where point loads act, of rods whose grid the solver
+/// chooses, or of all.
+inline Wanted vertices_of_places(const Scene& scene, bool all) {
+  Wanted at(scene.rods.size());
   const auto mark = [&](const Place& place, bool point_load) {
     const auto& rod = scene.rods[std::size_t(place.rod)];
     const double s = place.on(Grid(rod.edge_lengths));
     const bool wanted = !point_load || all || rod.chooses;
     if (wanted && s > 0 && s < rod.length()) at[std::size_t(place.rod)].push_back(s);
   };
-  const auto step = [&](Along<Vec3>& along, int rod, const char* name) {
-    const auto& spec = scene.rods[std::size_t(rod)];
-    const Grid grid(spec.edge_lengths);
-    const auto* list = std::get_if<std::vector<Vec3>>(&along);
-    if (!list) return;
-    require_count(Eigen::Index(list->size()), grid.edges(), name, "one per edge");
-    for (std::size_t j = 1; spec.chooses && j < list->size(); ++j)
-      if ((*list)[j] != (*list)[j - 1]) at[std::size_t(rod)].push_back(grid.s(int(j)));
-    along = [values = *list, ends = grid.arc_lengths()](double s) {
-      const auto behind = std::upper_bound(ends.begin(), ends.end(), s) - ends.begin();
-      return values[std::size_t(std::clamp<std::ptrdiff_t>(behind - 1, 0, ends.size() - 2))];
-    };
-  };
   for (const auto& support : scene.supports) mark(place_of(support), false);
   for (const auto& joint : scene.joints)
     for (const auto& place : joint.points) mark(place, false);
-  for (auto& load : scene.loads) {
-    if (auto* force = std::get_if<Force>(&load)) mark(force->at, true);
-    if (auto* moment = std::get_if<Moment>(&load)) mark(moment->at, true);
-    if (auto* along = std::get_if<DistributedForce>(&load))
-      step(along->force_per_length, along->rod, "force_per_length");
-    if (auto* along = std::get_if<DistributedMoment>(&load))
-      step(along->moment_per_length, along->rod, "moment_per_length");
+  for (const auto& load : scene.loads) {
+    if (const auto* force = std::get_if<Force>(&load)) mark(force->at, true);
+    if (const auto* moment = std::get_if<Moment>(&load)) mark(moment->at, true);
   }
+  return at;
+}
+
+/// Calls visit(values, number of the rod, name) for what acts along rods.
+template <class Visit>
+void visit_along(Scene& scene, const Visit& visit) {
+  for (auto& load : scene.loads) {
+    if (auto* force = std::get_if<DistributedForce>(&load))
+      visit(force->force_per_length, force->rod, "force_per_length");
+    if (auto* moment = std::get_if<DistributedMoment>(&load))
+      visit(moment->moment_per_length, moment->rod, "moment_per_length");
+  }
+}
+
+/// Values edge by edge as a function of arc length.
+inline std::function<Vec3(double)> steps_of(std::vector<Vec3> values, const Grid& grid) {
+  return [values = std::move(values), grid](double s) {
+    return values[std::size_t(edge_at(grid, s))];
+  };
+}
+
+inline void add_vertices(const Wanted& at, Scene& scene) {
   for (std::size_t i = 0; i < at.size(); ++i)
     if (!at[i].empty()) scene.rods[i] = with_vertices(std::move(scene.rods[i]), at[i]);
+}
+
+}  // namespace detail
+
+/// The scene with vertices where rods are held and joined; and where point loads act, of rods
+/// whose grid the solver chooses, or of all. Lists of loads, one per edge of a rod that is cut at
+/// its places, or as it was given, become steps, which hold on any grid.
+inline Scene with_vertices_at_places(Scene scene, bool all) {
+  scene.check_places();
+  const std::vector<RodSpec> given = scene.rods;
+  detail::add_vertices(detail::vertices_of_places(scene, false), scene);
+  detail::Wanted at(scene.rods.size());
+  detail::visit_along(scene, [&](Along<Vec3>& along, int rod, const char* name) {
+    const auto* list = std::get_if<std::vector<Vec3>>(&along);
+    if (!list) return;
+    const auto size = Eigen::Index(list->size());
+    const auto &before = given[std::size_t(rod)], &now = scene.rods[std::size_t(rod)];
+    const Grid grid(size == now.edge_lengths.size() ? now.edge_lengths : before.edge_lengths);
+    require(size == grid.edges(), name, ": expected 3 numbers, or ", now.edge_lengths.size(),
+            " times 3 (one per edge), got shape (", size, ", 3)");
+    for (std::size_t j = 1; now.chooses && j < list->size(); ++j)
+      if ((*list)[j] != (*list)[j - 1]) at[std::size_t(rod)].push_back(grid.s(int(j)));
+    along = detail::steps_of(*list, grid);
+  });
+  if (all) detail::add_vertices(detail::vertices_of_places(scene, true), scene);
+  detail::add_vertices(at, scene);
   return scene;
 }
 

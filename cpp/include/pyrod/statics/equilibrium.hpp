@@ -7,6 +7,7 @@
 #include <pyrod/statics/scene_solution.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,12 +24,20 @@ struct Reaction {
 struct Accuracy {
   double tol;
   Reached reached;
+  std::string reason = {};  ///< what may be why, if the grids do not converge as they should
+  bool unresolved = false;  ///< a function has more jumps and kinks than can be told apart
 
   double error(Quantity what) const { return reached.errors[std::size_t(what)]; }
   /// The largest of those that `tol` is for: vertices and sums.
   double largest() const {
     return *std::max_element(reached.errors.begin(), reached.errors.begin() + vertex_quantities);
   }
+};
+
+/// What one should know before trusting an equilibrium, in words.
+struct Doubt {
+  enum class Kind { unstable, accuracy, strain } kind;
+  std::string words;
 };
 
 /// Everything there is to know; values like any other.
@@ -38,7 +47,7 @@ struct Equilibrium {
   std::vector<Vec3> held;                 ///< the points that they hold
   std::vector<Rod<Spatial>> made;         ///< the rods as they were solved
   std::optional<Accuracy> accuracy = {};  ///< of a solve with a tolerance
-  std::vector<std::string> doubts = {};   ///< what one should know before trusting it
+  std::vector<Doubt> doubts = {};         ///< what one should know before trusting it
 
   bool converged() const { return found.converged(); }
   Status status() const { return found.status; }
@@ -102,7 +111,9 @@ struct Settings {
       nullptr;  ///< of a similar scene with as many edges, trusted to be near
   std::vector<Quaternion> frames = {};  ///< instead: those of all edges
   Options options = {};
-  Trace trace = {};
+  Trace trace = {};  ///< sees each iteration
+  /// Sees what the grids of a tolerance have reached, each time that one is done.
+  std::function<void(const SoFar&)> progress = {};
 };
 
 }  // namespace pyrod

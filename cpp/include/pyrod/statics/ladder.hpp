@@ -15,12 +15,6 @@
 
 namespace pyrod {
 
-/// What a climb has reached so far.
-struct SoFar {
-  int grids = 0, edges = 0;                                ///< edges: of the finest grid
-  double error = std::numeric_limits<double>::infinity();  ///< the largest, of the best grids
-};
-
 /// What the ladder needs of a scene. On level k every edge is cut in 2ᵏ; the solution of a level is
 /// that seen from level 0, see `seen`.
 struct LadderScene {

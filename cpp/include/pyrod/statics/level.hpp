@@ -4,13 +4,11 @@
 
 #include <pyrod/statics/cantilever_levels.hpp>
 #include <pyrod/statics/network_levels.hpp>
+#include <pyrod/statics/ready_ladder.hpp>
 #include <pyrod/statics/solve.hpp>
 
 namespace pyrod {
 
-using Level =
-    std::function<SceneSolution(int level, bool from_below, const std::optional<NetworkStart>&,
-                                const Options&, const NetworkOptions&, const Trace&)>;
 using LoadedLevel = std::function<LoadedRod(int level)>;
 using PlacedLevel = std::function<PlacedNetwork(int level)>;
 

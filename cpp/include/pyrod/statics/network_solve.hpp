@@ -6,6 +6,7 @@
 #include <pyrod/solve/saddle_newton.hpp>
 #include <pyrod/statics/false_shapes.hpp>
 #include <pyrod/statics/levels.hpp>
+#include <pyrod/statics/network_options.hpp>
 #include <pyrod/statics/recovery.hpp>
 #include <pyrod/statics/start.hpp>
 #include <pyrod/statics/uncertainty.hpp>
@@ -32,13 +33,6 @@ struct NetworkResult {
   double lowest_eigenvalue = 0;   ///< if it was asked for, [N m]: of ∫ |φ|² ds/L
   Rounding rounding;              ///< if it was asked for
   std::vector<Iteration> record;
-};
-
-struct NetworkOptions {
-  bool stable = true;       ///< look for a minimum: leave saddles along their unstable modes
-  bool eigenvalue = false;  ///< find the lowest eigenvalue at the solution
-  bool rounding = false;    ///< tell what rounding may do
-  bool anchored = false;    ///< of equilibria of equal energy find the one nearest to the start
 };
 
 template <class Space>

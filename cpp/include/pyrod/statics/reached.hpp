@@ -19,6 +19,12 @@ constexpr std::string_view name(Ended ended) {
   return names[std::size_t(ended)];
 }
 
+/// What a climb has reached so far.
+struct SoFar {
+  int grids = 0, edges = 0;                                ///< edges: of the finest grid
+  double error = std::numeric_limits<double>::infinity();  ///< the largest, of the best grids
+};
+
 struct Reached {
   std::array<double, quantities> errors;  ///< estimates, relative; see `ErrorScales`
   double order = 0;                       ///< of the grids' own errors, as observed

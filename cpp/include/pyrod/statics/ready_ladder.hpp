@@ -2,13 +2,21 @@
 /// \file A ladder that may be climbed again and again.
 #pragma once
 
-#include <pyrod/statics/level.hpp>
+#include <pyrod/solve/options.hpp>
+#include <pyrod/statics/ladder.hpp>
+#include <pyrod/statics/network_options.hpp>
+#include <pyrod/statics/network_start.hpp>
 
 #include <chrono>
 #include <mutex>
 #include <utility>
 
 namespace pyrod {
+
+/// One level of a climb, whatever the scene is.
+using Level =
+    std::function<SceneSolution(int level, bool from_below, const std::optional<NetworkStart>&,
+                                const Options&, const NetworkOptions&, const Trace&)>;
 
 /// A scene whose levels are made once, when a climb first needs them. One climb at a time: others
 /// wait.
@@ -18,15 +26,9 @@ class ReadyLadder {
   ReadyLadder(std::vector<Rod<Spatial>> rods, Level level, bool corners)
       : rods_(std::move(rods)), level_(std::move(level)), corners_(corners) {}
 
-  /// Of all rods, on level 0.
-  int edges() const {
-    int sum = 0;
-    for (const auto& rod : rods_) sum += rod.edges();
-    return sum;
-  }
-
   Climbed climb(const std::optional<NetworkStart>& start, Options options,
-                const NetworkOptions& more, double tolerance, const Trace& trace) {
+                const NetworkOptions& more, double tolerance, const Trace& trace,
+                const std::function<void(const SoFar&)>& progress = {}) {
     const std::lock_guard lock(busy_);
     const auto solve = [&](int level, bool from_below, double step) {
       options.tolerance = step;
@@ -34,16 +36,12 @@ class ReadyLadder {
     };
     Time began = now(), before = began;
     const auto has_time = [&](const SoFar& reached) {
-      so_far_ = reached;
+      if (progress) progress(reached);
       const Time last = std::exchange(before, now());
       return 2 * before - last - began <= options.max_time;
     };
-    so_far_ = {};
     return Ladder({rods_, solve, has_time, corners_}, tolerance, options.max_edges).climb();
   }
-
-  /// Of the climb that runs; ask in its thread.
-  const SoFar& so_far() const { return so_far_; }
 
  private:
   using Time = double;  ///< [s]
@@ -55,7 +53,6 @@ class ReadyLadder {
   std::vector<Rod<Spatial>> rods_;
   Level level_;
   bool corners_;
-  SoFar so_far_;
   std::mutex busy_;
 };
 
