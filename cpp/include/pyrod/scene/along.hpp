@@ -3,7 +3,9 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <string_view>
 #include <variant>
