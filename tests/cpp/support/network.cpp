@@ -109,8 +109,3 @@ INSTANTIATE(Spatial)
 #undef INSTANTIATE
 
 }  // namespace pyrod::test
-
-namespace pyrod {
-PYROD_TEST_RUN(, Planar)
-PYROD_TEST_RUN(, Spatial)
-}  // namespace pyrod
