@@ -41,6 +41,25 @@ else()
   find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig)
   mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY SUITESPARSECONFIG_LIBRARY)
   set(CHOLMOD_LINK ${CHOLMOD_LIBRARY} ${SUITESPARSECONFIG_LIBRARY})
+  if(CHOLMOD_LIBRARY MATCHES "\\.a$") # which does not tell what it needs itself
+    set(CHOLMOD_LINK ${CHOLMOD_LIBRARY})
+    foreach(name IN ITEMS amd colamd camd ccolamd suitesparseconfig)
+      find_library(CHOLMOD_${name}_LIBRARY ${name})
+      list(APPEND CHOLMOD_LINK ${CHOLMOD_${name}_LIBRARY})
+      mark_as_advanced(CHOLMOD_${name}_LIBRARY)
+    endforeach()
+    block(PROPAGATE CHOLMOD_LINK) # not of SuiteSparse, and shared: those have needs of their own
+      set(CMAKE_FIND_LIBRARY_SUFFIXES .so .a)
+      foreach(name IN ITEMS metis lapack blas gomp) # some CHOLMODs do without
+        find_library(CHOLMOD_${name}_LIBRARY NAMES ${name} lib${name}.so.5 lib${name}.so.1)
+        mark_as_advanced(CHOLMOD_${name}_LIBRARY)
+        if(CHOLMOD_${name}_LIBRARY)
+          list(APPEND CHOLMOD_LINK ${CHOLMOD_${name}_LIBRARY})
+        endif()
+      endforeach()
+    endblock()
+    list(APPEND CHOLMOD_LINK m)
+  endif()
 
   foreach(header IN ITEMS cholmod_core.h cholmod.h) # CHOLMOD 3 and 4, then 5
     if(EXISTS "${CHOLMOD_INCLUDE_DIR}/${header}" AND NOT CHOLMOD_VERSION)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file Networks for tests, held in all ways. Their solver is compiled once, in network.cpp.
+/// \file Networks for tests, held in all ways. Their solver is compiled once.
 #pragma once
 
 #include "support/random.hpp"
@@ -105,12 +105,13 @@ NetworkRun<Space> run_in(const Network<Spatial>& net, const Placement<Spatial>& 
 
 }  // namespace pyrod::test
 
-// Compiled once, in network.cpp.
-#define PYROD_TEST_RUN(prefix, Space)                                                         \
-  prefix template pyrod::NetworkRun<Space> pyrod::run<Space>(                                 \
+// Compiled once, in pyrod::compiled.
+#define PYROD_TEST_RUN(Space)                                                                 \
+  extern template pyrod::NetworkRun<Space> pyrod::run<Space>(                                 \
       const Network<Spatial>&, const Placement<Spatial>&, const std::optional<NetworkStart>&, \
       const Options&, const NetworkOptions&, const Trace&);
 namespace pyrod {
-PYROD_TEST_RUN(extern, Planar)
-PYROD_TEST_RUN(extern, Spatial)
+PYROD_TEST_RUN(Planar)
+PYROD_TEST_RUN(Spatial)
 }  // namespace pyrod
+#undef PYROD_TEST_RUN

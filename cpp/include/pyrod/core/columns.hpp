@@ -3,8 +3,10 @@
 #pragma once
 
 #include <pyrod/core/pack.hpp>
+#include <pyrod/core/types.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace pyrod {

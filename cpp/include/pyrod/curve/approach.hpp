@@ -3,9 +3,13 @@
 #pragma once
 
 #include <pyrod/core/parallel.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/arc.hpp>
+#include <pyrod/curve/grid.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,11 +2,15 @@
 /// \file Polygonal arcs: vertices in space, open or closed, with the directions that hold the ends.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/grid.hpp>
 #include <pyrod/curve/turning.hpp>
 
+#include <limits>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace pyrod {

@@ -5,6 +5,7 @@
 
 #include <pyrod/curve/grid.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace pyrod {

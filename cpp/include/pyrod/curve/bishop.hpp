@@ -4,6 +4,11 @@
 
 #include <pyrod/curve/arc.hpp>
 #include <pyrod/curve/framing.hpp>
+#include <pyrod/rotation/spatial.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace pyrod {
 

@@ -6,8 +6,19 @@
 /// vertex to the next: exact at any coarseness, in every measure of the curvature.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/bishop.hpp>
+#include <pyrod/curve/cosserat.hpp>
 #include <pyrod/curve/frenet.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/curve/turning.hpp>
+#include <pyrod/rotation/measure.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,9 +2,14 @@
 /// \file The discrete Cosserat curve: strains from positions and frames, and back.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/grid.hpp>
 #include <pyrod/rotation/measure.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace pyrod {

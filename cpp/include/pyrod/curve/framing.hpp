@@ -2,8 +2,19 @@
 /// \file Frames along a curve: adapting them to its tangents, and their twist about these.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/cosserat.hpp>
+#include <pyrod/curve/grid.hpp>
 #include <pyrod/curve/turning.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <numbers>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,8 +2,18 @@
 /// \file Discrete Frenet curves: curvature, binormals, torsion, frames (Linn 4.2, A.4).
 #pragma once
 
+#include <pyrod/core/products.hpp>
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/arc.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/curve/turning.hpp>
 #include <pyrod/rotation/measure.hpp>
+#include <pyrod/rotation/spatial.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace pyrod {
 

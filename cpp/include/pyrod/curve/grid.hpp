@@ -3,8 +3,11 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace pyrod {
 

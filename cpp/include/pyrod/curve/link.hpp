@@ -7,7 +7,18 @@
 /// Biopolymers 54, 2000).
 #pragma once
 
+#include <pyrod/core/parallel.hpp>
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/approach.hpp>
+#include <pyrod/curve/arc.hpp>
+#include <pyrod/curve/turning.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
 
 namespace pyrod {
 

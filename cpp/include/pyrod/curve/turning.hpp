@@ -3,8 +3,12 @@
 #pragma once
 
 #include <pyrod/core/products.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/series.hpp>
 #include <pyrod/rotation/spatial.hpp>
 
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 

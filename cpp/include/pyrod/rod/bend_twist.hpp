@@ -3,6 +3,8 @@
 #pragma once
 
 #include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
 
 #include <type_traits>

@@ -5,11 +5,17 @@
 /// r_0, q_{1/2}, r_1, q_{3/2}, …, r_n; frames move as R ← R exp(φ).
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/bend_twist.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rod/stretch_shear.hpp>
+#include <pyrod/rotation/space.hpp>
 
 #include <Eigen/SparseCore>
+
+#include <vector>
 
 namespace pyrod {
 

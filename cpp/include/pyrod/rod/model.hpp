@@ -6,6 +6,7 @@
 /// needed.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
 
 #include <type_traits>

@@ -2,7 +2,10 @@
 /// \file The moment that a vertex cell transmits, and the turn that a given moment makes.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
 #include <Eigen/LU>
 

@@ -2,7 +2,13 @@
 /// \file The same rod on halved edges.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/grid.hpp>
 #include <pyrod/rod/rod.hpp>
+
+#include <cstddef>
+#include <string_view>
 
 namespace pyrod {
 

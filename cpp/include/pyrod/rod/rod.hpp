@@ -2,12 +2,19 @@
 /// \file The rod: grid, stiffness along it, and the curvature it has at rest.
 #pragma once
 
+#include <pyrod/core/require.hpp>
 #include <pyrod/curve/cosserat.hpp>
+#include <pyrod/curve/grid.hpp>
 #include <pyrod/rod/jump.hpp>
+#include <pyrod/rotation/measure.hpp>
+#include <pyrod/rotation/space.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

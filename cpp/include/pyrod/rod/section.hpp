@@ -8,6 +8,7 @@
 #include <pyrod/core/require.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 

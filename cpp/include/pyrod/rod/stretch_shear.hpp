@@ -3,7 +3,9 @@
 /// q).
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/rod/model.hpp>
+#include <pyrod/rotation/space.hpp>
 
 #include <cmath>
 

@@ -4,7 +4,9 @@
 /// Increments are material (they multiply on the right): R ← R exp(φ).
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/rotation/planar.hpp>
+#include <pyrod/rotation/series.hpp>
 #include <pyrod/rotation/spatial.hpp>
 
 namespace pyrod {

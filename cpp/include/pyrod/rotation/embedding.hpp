@@ -3,7 +3,10 @@
 /// zero.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/planar.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
 namespace pyrod {
 

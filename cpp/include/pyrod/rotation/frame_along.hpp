@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/rotation/spatial.hpp>
 
 #include <cmath>

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <pyrod/core/dispatch.hpp>
+#include <pyrod/core/pack.hpp>
+#include <pyrod/rotation/planar.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace pyrod {
 

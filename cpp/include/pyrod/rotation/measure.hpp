@@ -10,9 +10,14 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/planar.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
+#include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace pyrod {
 

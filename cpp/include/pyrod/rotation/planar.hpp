@@ -5,7 +5,12 @@
 /// 2, and the angle turns about e2, which takes e3 towards e1.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/rotation/trigonometry.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
 
 namespace pyrod {
 

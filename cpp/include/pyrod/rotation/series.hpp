@@ -3,7 +3,14 @@
 /// each accurate to rounding for every angle, so that no other file needs a threshold.
 #pragma once
 
+#include <pyrod/core/pack.hpp>
 #include <pyrod/rotation/trigonometry.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <type_traits>
 
 namespace pyrod {
 

@@ -2,7 +2,10 @@
 /// \file Plane or space, decided by a type: how many numbers a position and a turn take.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/rotation/differential.hpp>
+#include <pyrod/rotation/planar.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
 namespace pyrod {
 

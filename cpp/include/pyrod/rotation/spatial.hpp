@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace pyrod {
 
 using Quaternion = Eigen::Quaterniond;

@@ -9,6 +9,7 @@
 #include <pyrod/core/pack.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 

@@ -3,8 +3,14 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/rotation/planar.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <string_view>
 #include <vector>
 
 namespace pyrod {

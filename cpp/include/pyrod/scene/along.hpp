@@ -3,14 +3,18 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/scene/breaks.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 

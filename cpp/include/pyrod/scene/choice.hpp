@@ -5,6 +5,7 @@
 #include <pyrod/rod/model.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rod/section.hpp>
+#include <pyrod/rotation/space.hpp>
 
 namespace pyrod {
 

@@ -2,6 +2,7 @@
 /// \file What acts on rods: forces and moments, fixed in space or following the rod.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/place.hpp>
 

@@ -2,12 +2,19 @@
 /// \file Rods that meet in nodes: who hangs on whom, who is held, what acts where.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/directions.hpp>
 #include <pyrod/scene/placement.hpp>
 #include <pyrod/statics/loads.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace pyrod {
 

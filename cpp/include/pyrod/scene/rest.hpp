@@ -2,7 +2,19 @@
 /// \file Where a rod is at rest, and where a clamp carries it: the default places of supports.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/cosserat.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/scene/placement.hpp>
 #include <pyrod/scene/scene_on_grids.hpp>
+#include <pyrod/scene/supports.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <variant>
 
 namespace pyrod {
 

@@ -2,9 +2,22 @@
 /// \file A rod as it is made, on one grid: stiffnesses and curvature of its cells and edges.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/along.hpp>
 #include <pyrod/scene/arrays_on_grid.hpp>
+#include <pyrod/scene/choice.hpp>
+#include <pyrod/scene/rod_spec.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,15 +2,26 @@
 /// \file What a rod is made of, from which it is made on any grid.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/framing.hpp>
 #include <pyrod/rod/jump.hpp>
 #include <pyrod/rod/section.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/scene/placement.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace pyrod {
 

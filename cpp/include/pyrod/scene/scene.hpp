@@ -2,10 +2,18 @@
 /// \file Scenes: rods, what holds and joins them, and what acts on them.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/scene/choice.hpp>
 #include <pyrod/scene/joint.hpp>
 #include <pyrod/scene/load.hpp>
 #include <pyrod/scene/rod_on_grid.hpp>
+#include <pyrod/scene/rod_spec.hpp>
 #include <pyrod/scene/supports.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace pyrod {
 

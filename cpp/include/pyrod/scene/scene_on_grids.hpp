@@ -2,9 +2,26 @@
 /// \file A scene on its grids: rods with vertices at all places, and the loads brought to them.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/along.hpp>
+#include <pyrod/scene/load.hpp>
+#include <pyrod/scene/place.hpp>
+#include <pyrod/scene/rod_on_grid.hpp>
 #include <pyrod/scene/scene.hpp>
+#include <pyrod/scene/supports.hpp>
 #include <pyrod/scene/with_vertices.hpp>
 #include <pyrod/statics/loads.hpp>
+#include <pyrod/statics/point_loads.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace pyrod {
 

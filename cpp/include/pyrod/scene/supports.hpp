@@ -2,11 +2,16 @@
 /// \file What holds rods. Positions and frames that are not told are those at rest.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/rotation/frame_along.hpp>
+#include <pyrod/rotation/spatial.hpp>
 #include <pyrod/scene/directions.hpp>
 #include <pyrod/scene/place.hpp>
 
+#include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
 namespace pyrod {

@@ -3,7 +3,14 @@
 /// rods.
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/status.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,12 +2,15 @@
 /// \file The softest modes of a saddle, by inverse iteration, and an index that they confirm.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/solve/shifted_factor.hpp>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
+#include <cstdlib>
 
 namespace pyrod {
 

@@ -2,10 +2,12 @@
 /// \file The rows of a saddle that belong to multipliers, few among many.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace pyrod {
 

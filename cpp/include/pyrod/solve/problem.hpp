@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <concepts>

@@ -8,13 +8,16 @@
 /// K x = b, namely D x, is known without any work, and is taken away where it counts.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/solve/multipliers.hpp>
 #include <pyrod/solve/skew_solver.hpp>
 #include <pyrod/sparse/cholesky.hpp>
+#include <pyrod/sparse/symmetric.hpp>
 
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace pyrod {
 

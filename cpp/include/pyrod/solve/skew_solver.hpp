@@ -2,6 +2,7 @@
 /// \file Newton systems that are not symmetric, solved with the factor of their symmetric part.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/sparse/cholesky.hpp>
 
 #include <Eigen/SparseCore>
@@ -9,6 +10,7 @@
 
 #include <concepts>
 #include <functional>
+#include <utility>
 
 namespace pyrod {
 class SkewCorrected;

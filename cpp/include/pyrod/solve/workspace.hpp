@@ -3,8 +3,13 @@
 #pragma once
 
 #include <pyrod/core/pool.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/solve/problem.hpp>
 #include <pyrod/sparse/cholesky.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
 
 namespace pyrod {
 

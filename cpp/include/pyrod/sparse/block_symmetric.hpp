@@ -5,6 +5,9 @@
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -6,13 +6,16 @@
 /// every outcome is looked at here.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <cholmod.h>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <new>
+#include <vector>
 
 namespace pyrod {
 

@@ -1,0 +1,70 @@
+# Sources that check that each header compiles on its own.
+#
+# To compile a header by itself, each in its turn, takes minutes. But where b includes a, and a has been
+# compiled before it in the same unit, b is still on its own: whatever a brought along, b brings along,
+# too. So a unit holds a chain of headers, each of which the next includes, by others or directly. The
+# last comes twice.
+
+# Sets `out` to the sources of chains that hold all headers below the folder `root`.
+function(header_chains out root)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/*.hpp")
+  foreach(header IN LISTS headers)
+    file(READ "${root}/${header}" text)
+    string(REGEX REPLACE "\n#if.*" "" text "${text}") # what is included always
+    string(REGEX MATCHALL "<pyrod/[^>]+>" includes "${text}")
+    string(REGEX REPLACE "[<>]" "" includes_${header} "${includes}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${root}/${header}")
+  endforeach()
+
+  # In rounds: those that only include headers of earlier rounds.
+  set(todo ${headers})
+  set(order)
+  while(todo)
+    set(round)
+    foreach(header IN LISTS todo)
+      set(missing ${includes_${header}})
+      list(REMOVE_ITEM missing ${order} "")
+      if(NOT missing)
+        list(APPEND round ${header})
+        set(below_${header} ${includes_${header}})
+        foreach(included IN LISTS includes_${header})
+          list(APPEND below_${header} ${below_${included}})
+        endforeach()
+        list(REMOVE_DUPLICATES below_${header})
+      endif()
+    endforeach()
+    if(NOT round)
+      message(FATAL_ERROR "Headers that include each other or one that is not there: ${todo}")
+    endif()
+    list(REMOVE_ITEM todo ${round})
+    list(APPEND order ${round})
+  endwhile()
+
+  # From the top: below each that is left, those of what it includes that are left, the highest first.
+  list(REVERSE order)
+  set(left ${order})
+  foreach(header IN LISTS order)
+    if(NOT header IN_LIST left)
+      continue()
+    endif()
+    set(text "#include <${header}>\n")
+    set(next ${header})
+    while(next)
+      set(last ${next})
+      list(REMOVE_ITEM left ${last})
+      string(PREPEND text "#include <${last}>\n")
+      set(next)
+      foreach(candidate IN LISTS left)
+        if(candidate IN_LIST below_${last})
+          set(next ${candidate})
+          break()
+        endif()
+      endforeach()
+    endwhile()
+    string(MAKE_C_IDENTIFIER "${header}" name)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "@text@" @ONLY)
+    list(APPEND chains "${source}")
+  endforeach()
+  set(${out} ${chains} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,75 @@
+"""The folders of the C++ headers: which may include which, and how deep includes go."""
+
+from __future__ import annotations
+
+import functools
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2] / "cpp" / "include"
+pytestmark = pytest.mark.skipif(not ROOT.is_dir(), reason="needs the sources")
+
+BELOW = {
+    "core": set(),
+    "rotation": {"core"},
+    "curve": {"core", "rotation"},
+    "rod": {"core", "rotation", "curve"},
+    "scene": {"core", "rotation", "curve", "rod"},
+    "sparse": {"core"},
+    "solve": {"core", "sparse"},
+    "statics": {"core", "rotation", "curve", "rod", "scene", "sparse", "solve"},
+}
+"""Folders, and those that they may include besides themselves."""
+NOT_YET = {
+    ("pyrod/scene/network.hpp", "pyrod/statics/loads.hpp"),
+    ("pyrod/scene/scene_on_grids.hpp", "pyrod/statics/loads.hpp"),
+    ("pyrod/scene/scene_on_grids.hpp", "pyrod/statics/point_loads.hpp"),
+}
+DEEPEST = 30
+"""The longest chain of headers of which each includes the next. Fewer are better."""
+
+
+@functools.cache
+def includes(header: str) -> tuple[str, ...]:
+    """Without those that depend on a macro."""
+    always, *_ = (ROOT / header).read_text().partition("\n#if")
+    return tuple(re.findall(r"^#include <(pyrod/.+?)>", always, re.M))
+
+
+@functools.cache
+def depth(header: str) -> int:
+    return 1 + max(map(depth, includes(header)), default=0)
+
+
+def headers() -> list[str]:
+    return [str(path.relative_to(ROOT)) for path in ROOT.rglob("*.hpp")]
+
+
+def test_folders_only_include_those_below() -> None:
+    up = set()
+    for header in headers():
+        folder = header.split("/")[1]
+        if folder in BELOW:
+            allowed = BELOW[folder] | {folder}
+            up |= {(header, h) for h in includes(header) if h.split("/")[1] not in allowed}
+        else:  # the umbrellas
+            assert folder.endswith(".hpp"), f"a folder of no level: {header}"
+    assert up == NOT_YET
+
+
+def test_includes_are_not_deeper_than_they_were() -> None:
+    assert max(map(depth, headers())) <= DEEPEST
+
+
+def test_the_umbrella_has_all() -> None:
+    """But what depends on a macro."""
+    reached: set[str] = set()
+    todo = ["pyrod/pyrod.hpp"]
+    while todo:
+        header = todo.pop()
+        if header not in reached:
+            reached.add(header)
+            todo += includes(header)
+    assert set(headers()) - reached == {"pyrod/statics/compiled.hpp"}
