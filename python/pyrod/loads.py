@@ -146,17 +146,27 @@ def _along(values: Any, name: str) -> Any:
     return along(values, 1, name, "edge") if callable(values) else values
 
 
-def refuse_shapes(loads: tuple[Load, ...], rods: tuple[Rod, ...], any_count: bool) -> None:
-    """Refuses arrays along rods that are neither (3,) nor a row of three for each edge.
-
-    ``any_count`` : it may be any number of rows yet.
-    """
+def refuse_shapes(loads: tuple[Load, ...], rods: tuple[Rod, ...]) -> None:
+    """Refuses arrays along rods that are neither (3,) nor rows of three."""
     for load in loads:
         if isinstance(load, (DistributedForce, DistributedMoment)) and load.rod < len(rods):
             name = fields(load)[0].name
             values = getattr(load, name)
-            if not (any_count and np.shape(values)[1:] == (3,)):
+            if not callable(values) and values.shape[1:] != (3,):
                 along(values, rods[load.rod].edges, name, "edge")
+
+
+def on_cut_edges(load: Load, given: tuple[Rod, ...], cut: tuple[Rod, ...]) -> Load:
+    """The load whose rows belong to the edges of the given rods, on these cut."""
+
+    def rows(values: Any, name: str) -> Any:
+        before, now = given[load.rod], cut[load.rod]  # type: ignore[union-attr]
+        if now is before or np.ndim(values) != 2 or len(values) != before.edges:
+            return values
+        centres = (now.arc_lengths[1:] + now.arc_lengths[:-1]) / 2
+        return values[np.searchsorted(before.arc_lengths[1:-1], centres)]
+
+    return _with_values(load, rods=cut, new=rows)
 
 
 def on_edges(values: Any, rod: Rod, name: str) -> Array:

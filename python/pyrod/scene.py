@@ -13,7 +13,7 @@ from pyrod._immutable import Array, Immutable, sealed
 from pyrod._places import Place
 from pyrod._savable import Savable
 from pyrod.joints import Joint
-from pyrod.loads import Load, refuse_shapes, sampled_load, stepwise_load
+from pyrod.loads import Load, on_cut_edges, refuse_shapes, sampled_load, stepwise_load
 from pyrod.rod import Rod
 from pyrod.supports import Support
 
@@ -73,7 +73,7 @@ class Scene(Immutable, Savable):
                 "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or "
                 "another support"
             )
-        refuse_shapes(loads, rods, any_count=True)
+        refuse_shapes(loads, rods)
         compiled = _core.Scene(
             [rod._rod for rod in rods],
             [support._compiled for support in supports],
@@ -81,9 +81,9 @@ class Scene(Immutable, Savable):
             [load._compiled for load in loads],
             _core.Dimension.__members__[space],
         )
-        rods = _on_grid(rods, compiled.rods([rod._rod for rod in rods]))
-        refuse_shapes(loads, rods, any_count=False)
-        self._set(rods=rods, supports=supports, loads=loads, space=space, joints=joints)
+        cut = _on_grid(rods, compiled.rods([rod._rod for rod in rods]))
+        loads = tuple(on_cut_edges(load, rods, cut) for load in loads)
+        self._set(rods=cut, supports=supports, loads=loads, space=space, joints=joints)
         self._set(_core=compiled)
 
     def _refined(self, level: int) -> Scene:

@@ -26,7 +26,7 @@ TEST_CASE("what a scene cannot be is refused before any work, by the argument's 
   refuses("rod: there is no rod 2, the scene has 1",
           {rod, {Clamp{}}, {DistributedForce{Vec3(1, 0, 0), 2}}});
   refuses("supports: vertex 0 of rod 0 is held twice", {rod, {Clamp{}, Hinge{}}});
-  refuses("force_per_length: expected 8 rows (one per edge), got 2",
+  refuses("force_per_length: expected 3 numbers, or 8 times 3 (one per edge), got shape (2, 3)",
           {rod, {Clamp{}}, {DistributedForce{std::vector<Vec3>(2, Vec3::Zero())}}});
   refuses("Gravity: no rod has a mass", {rod, {Clamp{}}, {Gravity{}}});
   refuses("section: expected 8 rows (one per edge), got 3",
@@ -45,7 +45,7 @@ TEST_CASE("supports and joints say what they lack") {
   refuses("points: a joint needs two or more, got 1", joined({.points = {{0, End::end}}}));
   refuses("axis: a hinge needs one, other joints have none",
           joined({.points = {{0, End::end}, {1, End::start}}, .kind = JointKind::hinge}));
-  refuses("joints: the points are not different vertices",
+  refuses("joints: the points of joint 0 are not different vertices",
           joined({.points = {{0, End::end}, {0, 1.0}}}));
 }
 

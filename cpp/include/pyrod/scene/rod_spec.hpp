@@ -112,6 +112,8 @@ inline RodSpec precurved(const Vector& edge_lengths, const Along<Section>& secti
 inline RodSpec precurved(double length, std::optional<int> edges, const Along<Section>& section,
                          const Along<Vec3>& curvature, std::optional<ModelKind> model = {}) {
   const double n = edges ? *edges : detail::natural_edges(length, curvature);
+  require(edges || n <= detail::most_edges, "curvature: the rod at rest turns so much that ", n,
+          " edges would be needed");
   require(n <= detail::most_edges, "edges: must be at most ", detail::most_edges, ", got ", n);
   auto out = precurved(Grid::uniform(length, int(n)).edge_lengths(), section, curvature, model);
   out.chooses = !edges;

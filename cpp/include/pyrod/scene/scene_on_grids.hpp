@@ -76,8 +76,8 @@ inline void add_vertices(const Wanted& at, Scene& scene) {
 }  // namespace detail
 
 /// The scene with vertices where rods are held and joined; and where point loads act, of rods
-/// whose grid the solver chooses, or of all. Lists of loads, one per edge of a rod that is cut at
-/// its places, or as it was given, become steps, which hold on any grid.
+/// whose grid the solver chooses, or of all. Lists of loads, one per edge of a rod as it was given,
+/// or cut at its places, become steps, which hold on any grid.
 inline Scene with_vertices_at_places(Scene scene, bool all) {
   scene.check_places();
   const std::vector<RodSpec> given = scene.rods;
@@ -88,7 +88,7 @@ inline Scene with_vertices_at_places(Scene scene, bool all) {
     if (!list) return;
     const auto size = Eigen::Index(list->size());
     const auto &before = given[std::size_t(rod)], &now = scene.rods[std::size_t(rod)];
-    const Grid grid(size == now.edge_lengths.size() ? now.edge_lengths : before.edge_lengths);
+    const Grid grid(size == before.edge_lengths.size() ? before.edge_lengths : now.edge_lengths);
     require(size == grid.edges(), name, ": expected 3 numbers, or ", now.edge_lengths.size(),
             " times 3 (one per edge), got shape (", size, ", 3)");
     for (std::size_t j = 1; now.chooses && j < list->size(); ++j)
