@@ -61,10 +61,13 @@ std::unique_ptr<ReadyLadder> of_cantilever(const Rod<Spatial>& rod, const GridLo
     };
   else
     loaded = [rod, loads](int level) { return halved(rod, loads, level); };
-  const auto level = in_space(dimension, [&]<class Space>(Space) {
-    return with_model(
-        model, [&]<class Model>(Model) { return cantilever_level<Space, Model>(loaded, clamp); });
-  });
+  const auto of_model = [loaded, model](int level) {
+    LoadedRod out = loaded(level);
+    out.rod = in_model(std::move(out.rod), model);
+    return out;
+  };
+  const auto level = in_space(
+      dimension, [&]<class Space>(Space) { return cantilever_level<Space>(of_model, clamp); });
   return std::make_unique<ReadyLadder>(std::vector{rod}, level, corners);
 }
 

@@ -4,7 +4,6 @@
 
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/rod/refinement.hpp>
-#include <pyrod/scene/choice.hpp>
 
 #include <algorithm>
 
@@ -23,8 +22,7 @@ py::tuple columns(Eigen::SparseMatrix<double> H) {
 
 EnergyJet energy_of(const Rod<Spatial>& rod, ModelKind model, const CosseratCurve<Spatial>& curve,
                     HeldEnds held) {
-  return with_model(model,
-                    [&]<class Model>(Model) { return energy<Spatial, Model>(rod, curve, held); });
+  return energy(in_model(rod, model), curve, held);
 }
 
 }  // namespace

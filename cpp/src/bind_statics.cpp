@@ -76,9 +76,7 @@ Job cantilever_job(const py::object& rod, Dimension dimension, ModelKind model,
   const int unknowns = of.edges() * (dimension == Dimension::spatial ? 3 : 1);
   const auto work = [=, &of, &under](const Trace& trace) -> Outcome {
     auto found = in_space(dimension, [&]<class Space>(Space) {
-      return with_model(model, [&]<class Model>(Model) {
-        return solve<Space, Model>(of, clamp, under, frames, options, trace);
-      });
+      return solve<Space>(in_model(of, model), clamp, under, frames, options, trace);
     });
     return {scene_solution(std::move(found), unknowns), {}};
   };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/curve/framing.hpp>
+#include <pyrod/rod/model.hpp>
 #include <pyrod/rod/section.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/choice.hpp>

@@ -3,18 +3,18 @@
 /// solver.
 ///
 /// The loads give the section force on every edge, so the unknowns are the frames of the edges and
-/// nothing else: one number per edge in the plane and three in space, for all three models. What is
+/// nothing else: one number per edge in the plane and three in space, for all models. What is
 /// minimised is W_bt − Σ h (b·e3 + ½ b·S b), b = Rᵀn (docs/theory.md, "Unknowns").
 #pragma once
 
-#include <pyrod/rod/rod.hpp>
+#include <pyrod/rod/model.hpp>
 #include <pyrod/rotation/unit.hpp>
 #include <pyrod/statics/chain.hpp>
 #include <pyrod/statics/loads.hpp>
 
 namespace pyrod {
 
-template <class Space, class Model>
+template <class Space>
 class CantileverProblem {
  public:
   using Rotation = typename Space::Rotation;
@@ -94,8 +94,7 @@ class CantileverProblem {
             Columns<spin>(n, [&](int j) { return grid.Δs(j) * rod.K0[j]; }),
             Columns<1>(n, [&](int j) { return Vec1(grid.h(j)); }),
             column<dim>(n, loads.section_forces()),
-            Columns<dim>(
-                n, [&](int j) { return Compliance<Space, Model>(rod.stretching[j]).diagonal(); })};
+            Columns<dim>(n, [&](int j) { return compliance(rod.stretching[j]); })};
   }
 
   template <int N>

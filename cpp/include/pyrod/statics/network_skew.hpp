@@ -17,7 +17,7 @@ class NetworkSkew : public NetworkLoads<Space> {
 
   explicit NetworkSkew(const Layout<Space>& layout) : Base(layout) {
     for (const auto& rod : net_.rods)
-      for (const auto& C : rod.stretching) compliance_.emplace_back(C);
+      for (const auto& C : rod.stretching) compliance_.push_back(pyrod::compliance(C));
     first_.assign(1, 0);
     for (const int size : layout_.sizes()) first_.push_back(first_.back() + size);
   }
@@ -42,14 +42,14 @@ class NetworkSkew : public NetworkLoads<Space> {
   /// Of the unknowns that turn the frame of an edge.
   int first_row(int edge) const { return first_[layout_.frame_block(edge)]; }
   int first_row_of(int block) const { return first_[block]; }
-  const Compliance<Space, Cosserat>& compliance(int edge) const { return compliance_[edge]; }
+  const Point<Space>& compliance(int edge) const { return compliance_[edge]; }
 
  protected:
   using Base::forces, Base::spread, Base::tell;
   using Base::layout_, Base::net_, Base::dead_, Base::edge_couples_, Base::following_couples_;
   using Base::node_moment_, Base::node_following_, Base::part_, Base::follows_, Base::couples_;
 
-  std::vector<Compliance<Space, Cosserat>> compliance_;
+  std::vector<Point<Space>> compliance_;
   std::vector<int> first_;  ///< row of every block
 
  private:
@@ -84,7 +84,7 @@ class NetworkSkew : public NetworkLoads<Space> {
       for (int j = span.first; j < span.last; ++j) {
         const int e = layout_.edge(span.rod, j);
         const double h = net_.rods[span.rod].grid.h(j);
-        const Point<Space> S = compliance_[e].diagonal(), b = unrotate(x.frames[e], n[e]);
+        const Point<Space>&S = compliance_[e], b = unrotate(x.frames[e], n[e]);
         const Point<Space> db = unrotate(x.frames[e], dn[e]), dΓ = S.cwiseProduct(db);
         out.segment<spin>(first_[layout_.frame_block(e)]) +=
             h * (cross(db, Point<Space>(axis<Space>() + S.cwiseProduct(b))) + cross(b, dΓ));

@@ -94,8 +94,8 @@ class NetworkSpans : public NetworkCells<Space> {
       batch.dlog[j - first] = typename Space::Differential(batch.u[j - first]);
     for (int j = first; j < end; ++j)
       set_edge(part.row_of(j),
-               section_force_term<kind, Space, Cosserat>(frames[j], batch.n[j - first],
-                                                         compliance_[part.edge + j], rod.grid.h(j)),
+               edge_term<kind, Space, double>(frames[j], batch.n[j - first],
+                                              compliance_[part.edge + j], rod.grid.h(j)),
                out);
     for (int j = inner; j < end; ++j)
       add_vertex(part.row_of(j),
@@ -152,8 +152,7 @@ class NetworkSpans : public NetworkCells<Space> {
     for (int j = first; j < end; ++j) {
       const double h = part.rod->grid.h(j);
       const Mat<dim> R = matrix(x.frames[part.edge + j]);
-      const Point<Space> S = compliance_[part.edge + j].diagonal(),
-                         b = R.transpose() * batch.n[j - first],
+      const Point<Space> S = compliance_[part.edge + j], b = R.transpose() * batch.n[j - first],
                          Γ = axis<Space>() + S.cwiseProduct(b);
       const Point<Space> hS = h * S;
       sum.rigid += h * R.col(dim - 1);

@@ -131,25 +131,13 @@ class SceneSolver {
 
   Placement<Spatial> clamped_at() const { return network_.plane; }
   const Rod<Spatial>& rod() const { return network_.network.rods[0]; }
-  ModelKind model() const {
-    const auto& C = rod().stretching;
-    const auto finite = [](double GA) { return !std::isinf(GA); };
-    if (std::ranges::any_of(C, [&](const Vec3& c) { return finite(c.x()); }))
-      return ModelKind::cosserat;
-    return std::ranges::any_of(C, [&](const Vec3& c) { return finite(c.z()); })
-               ? ModelKind::extensible
-               : ModelKind::inextensible;
-  }
 
   SceneSolution as_cantilever(const Start& start) const {
     const auto frames = start ? start->frames : std::vector<Quaternion>{};
     return in_space(scene_->space, [&]<class Space>(Space) {
-      return with_model(model(), [&]<class Model>(Model) {
-        return scene_solution(
-            pyrod::solve<Space, Model>(rod(), clamped_at(), level0_->loads(0), frames,
-                                       settings_.options, settings_.trace),
-            rod().edges() * Space::spin);
-      });
+      return scene_solution(pyrod::solve<Space>(rod(), clamped_at(), level0_->loads(0), frames,
+                                                settings_.options, settings_.trace),
+                            rod().edges() * Space::spin);
     });
   }
 
@@ -168,14 +156,12 @@ class SceneSolver {
           auto made = network_of(SceneOnGrids(*scene_, level));
           return {std::move(made.network), made.plane};
         });
-      return with_model(model(), [&]<class Model>(Model) {
-        return cantilever_level<Space, Model>(
-            [this](int level) -> LoadedRod {
-              const SceneOnGrids on(*scene_, level);
-              return {on.rod(0), on.loads(0)};
-            },
-            clamped_at());
-      });
+      return cantilever_level<Space>(
+          [this](int level) -> LoadedRod {
+            const SceneOnGrids on(*scene_, level);
+            return {on.rod(0), on.loads(0)};
+          },
+          clamped_at());
     });
   }
 
