@@ -37,15 +37,17 @@ class BlockSymmetric : public SymmetricMatrix {
   int first(int J) const { return first_[J]; }
   int size_of(int J) const { return sizes_[J]; }
 
-  /// The columns of a block: column k has `above` entries over the diagonal block, and then k + 1.
-  struct Columns {
-    double* start;
-    int above;
-    double* operator[](int k) const { return start + k * above + k * (k + 1) / 2; }
-  };
   /// Of the block whose first row is `row`.
-  Columns columns(int row) {
+  BlockColumns columns(int row) {
     return {values.data() + starts[row], starts[row + 1] - starts[row] - 1};
+  }
+
+  /// Of so many blocks from this row on, each coupled to the one before it, and but for the first
+  /// and the last to none else above the diagonal.
+  template <int B>
+  ChainColumns<B> chain(int row, int blocks) {
+    return {blocks, columns(row), values.data() + starts[row + (blocks > 1 ? B : 0)],
+            columns(row + B * (blocks - 1))};
   }
 
   /// From this row, the first of its block, to the one before `end`.
@@ -60,7 +62,7 @@ class BlockSymmetric : public SymmetricMatrix {
     const auto begin = above_.begin() + (J == 0 ? 0 : ends_[J - 1]);
     const auto found = std::lower_bound(begin, above_.begin() + ends_[J], I);
     const int place = places_[found - above_.begin()];
-    const Columns to = columns(first_[J]);
+    const BlockColumns to = columns(first_[J]);
     for (int k = 0; k < sizes_[J]; ++k)
       for (int i = 0; i < sizes_[I]; ++i) to[k][place + i] += block(i, k);
   }
@@ -68,7 +70,7 @@ class BlockSymmetric : public SymmetricMatrix {
   /// Adds the upper triangle of a block on the diagonal.
   template <class Block>
   void add_diagonal(int J, const Block& block) {
-    const Columns to = columns(first_[J]);
+    const BlockColumns to = columns(first_[J]);
     for (int k = 0; k < sizes_[J]; ++k)
       for (int i = 0; i <= k; ++i) to[k][to.above + i] += block(i, k);
   }

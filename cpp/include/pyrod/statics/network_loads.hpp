@@ -2,6 +2,7 @@
 /// \file What acts on a network, dead or following it, and the section forces that belong to it.
 #pragma once
 
+#include <pyrod/core/columns.hpp>
 #include <pyrod/rod/moment_law.hpp>
 #include <pyrod/statics/network_state.hpp>
 
@@ -34,6 +35,7 @@ class NetworkLoads {
     for (auto& rod : dead_.vertices)
       for (auto& F : rod) F *= part;
     tell(dead_, part);
+    set_columns(dead_);
     find_couples();
   }
 
@@ -48,7 +50,10 @@ class NetworkLoads {
   Forces forces(const State& x) const {
     Acting changed;
     const Acting& now = acting(x, changed);
-    return {now.vertices, now.nodes, spread(x.forces, now)};
+    Forces out{now.vertices, now.nodes, now.told};
+    for (int p = 0; p < int(layout_.spans().size()); ++p)
+      for (int e = first_edge(p); e <= last_edge(p); ++e) out.sections[e] += x.forces[p];
+    return out;
   }
 
   /// The dead couple on an edge, with that of an end that turns freely.
@@ -61,12 +66,19 @@ class NetworkLoads {
   const Layout<Space>& layout() const { return layout_; }
 
  protected:
-  /// Forces on vertices and nodes, and what they make of every span: what is known of the section
-  /// force in its first edge, and by how much it is less in the last.
+  /// Forces on vertices and nodes, and what they tell of the section force in every edge.
   struct Acting {
     VertexForces<Space> vertices;
-    std::vector<Point<Space>> nodes, known, drop;
+    std::vector<Point<Space>> nodes, told;
+    Columns<dim> columns;  ///< of what is told, for packs
   };
+
+  int first_edge(int p) const {
+    return layout_.edge(layout_.spans()[p].rod, layout_.spans()[p].first);
+  }
+  int last_edge(int p) const {
+    return layout_.edge(layout_.spans()[p].rod, layout_.spans()[p].last - 1);
+  }
 
   /// What acts at x: it is kept in `changed` if it is more than the dead loads.
   const Acting& acting(const State& x, Acting& changed) const {
@@ -77,29 +89,27 @@ class NetworkLoads {
         changed.vertices[rod][f.vertex] +=
             part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
     tell(changed, part_);
+    set_columns(changed);
     return changed;
   }
 
   /// Finds what the forces on vertices make of nodes and spans, of the nodes' own loads `own`.
   void tell(Acting& now, double own) const {
     now.nodes = layout_.on_nodes(now.vertices, own);
-    now.known = layout_.known_forces(now.vertices, own);
-    now.drop.clear();
-    for (const auto& span : layout_.spans()) now.drop.push_back(layout_.inside(span, now.vertices));
-  }
-
-  /// From the force in the first edge of each span to all edges.
-  std::vector<Point<Space>> spread(const std::vector<Point<Space>>& open, const Acting& now) const {
-    std::vector<Point<Space>> n(layout_.edges());
+    const auto known = layout_.known_forces(now.vertices, own);
+    now.told.resize(layout_.edges());
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
-      Point<Space> f = open[p] + now.known[p];
+      Point<Space> f = known[p];
       for (int j = span.first; j < span.last; ++j) {
         if (j > span.first) f -= now.vertices[span.rod][j];
-        n[layout_.edge(span.rod, j)] = f;
+        now.told[layout_.edge(span.rod, j)] = f;
       }
     }
-    return n;
+  }
+
+  static void set_columns(Acting& now) {
+    now.columns.assign(int(now.told.size()), [&](int e) { return now.told[e]; });
   }
 
   const Layout<Space>& layout_;

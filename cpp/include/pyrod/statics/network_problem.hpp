@@ -44,8 +44,8 @@ class NetworkProblem : public NetworkSpans<Space> {
     for (int p = 0; p < int(x.forces.size()); ++p) {
       const auto& span = layout_.spans()[p];
       const int e = layout_.edge(span.rod, span.first), edges = span.last - span.first;
-      for (int j = 0, row = first_row(e); j < edges; ++j, row += spin)
-        out.frames[e + j] = moved(x.frames[e + j], Spin<Space>(δ.segment<spin>(row)));
+      dispatch(MoveFrames<Space>{edges, x.frames.data() + e, δ.data() + first_row(e),
+                                 out.frames.data() + e});
       if (span.block >= 0)
         out.forces[p] += span.open * δ.segment(first_[span.block], span.open.cols());
     }
@@ -180,8 +180,9 @@ class NetworkProblem : public NetworkSpans<Space> {
 
   /// The largest section force of a span over its unit.
   double force_size(const State& x, const Acting& now, int p) const {
-    const Point<Space> first = x.forces[p] + now.known[p];
-    return std::max(first.norm(), (first - now.drop[p]).norm()) / layout_.unit_force(p);
+    const Point<Space> first = x.forces[p] + now.told[this->first_edge(p)],
+                       last = x.forces[p] + now.told[this->last_edge(p)];
+    return std::max(first.norm(), last.norm()) / layout_.unit_force(p);
   }
 
   template <Curvature kind>
@@ -235,7 +236,7 @@ class NetworkProblem : public NetworkSpans<Space> {
     for (const auto& [p, end] : layout_.spans_at(v)) {
       const auto& span = layout_.spans()[p];
       const double sign = end ? 1 : -1;
-      told += sign * (end ? Point<Space>(now.known[p] - now.drop[p]) : now.known[p]);
+      told += sign * now.told[end ? this->last_edge(p) : this->first_edge(p)];
       asked += sign * x.forces[p];
       if (span.block >= 0) {
         const Mat<dim> C = Base::template padded<dim>(span.open);

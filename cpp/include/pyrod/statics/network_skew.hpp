@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pyrod/rod/model.hpp>
+#include <pyrod/statics/edge_columns.hpp>
 #include <pyrod/statics/network_loads.hpp>
 
 namespace pyrod {
@@ -15,9 +16,7 @@ class NetworkSkew : public NetworkLoads<Space> {
   using Base::dim, Base::spin;
   using typename Base::Rotation, typename Base::State;
 
-  explicit NetworkSkew(const Layout<Space>& layout) : Base(layout) {
-    for (const auto& rod : net_.rods)
-      for (const auto& C : rod.stretching) compliance_.push_back(pyrod::compliance(C));
+  explicit NetworkSkew(const Layout<Space>& layout) : Base(layout), columns_(edge_columns(layout)) {
     first_.assign(1, 0);
     for (const int size : layout_.sizes()) first_.push_back(first_.back() + size);
   }
@@ -42,14 +41,14 @@ class NetworkSkew : public NetworkLoads<Space> {
   /// Of the unknowns that turn the frame of an edge.
   int first_row(int edge) const { return first_[layout_.frame_block(edge)]; }
   int first_row_of(int block) const { return first_[block]; }
-  const Point<Space>& compliance(int edge) const { return compliance_[edge]; }
+  Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }
 
  protected:
-  using Base::forces, Base::spread, Base::tell;
+  using Base::forces, Base::tell;
   using Base::layout_, Base::net_, Base::dead_, Base::edge_couples_, Base::following_couples_;
   using Base::node_moment_, Base::node_following_, Base::part_, Base::follows_, Base::couples_;
 
-  std::vector<Point<Space>> compliance_;
+  EdgeColumns<Space> columns_;
   std::vector<int> first_;  ///< row of every block
 
  private:
@@ -77,14 +76,13 @@ class NetworkSkew : public NetworkLoads<Space> {
     for (const auto& [edge, m] : following_couples_)  // +½ [M]
       out.segment<spin>(first_[layout_.frame_block(edge)]) -= spin_skew(turn_of(edge)) * m / 2;
     tell(change, 0);
-    const std::vector<Point<Space>> none(layout_.spans().size(), Point<Space>::Zero());
-    const auto dn = spread(none, change), n = forces(x).sections;
+    const auto &dn = change.told, n = forces(x).sections;
     for (const auto& span : layout_.spans()) {
       Point<Space> reach = Point<Space>::Zero();
       for (int j = span.first; j < span.last; ++j) {
         const int e = layout_.edge(span.rod, j);
         const double h = net_.rods[span.rod].grid.h(j);
-        const Point<Space>&S = compliance_[e], b = unrotate(x.frames[e], n[e]);
+        const Point<Space> S = columns_.compliance[e], b = unrotate(x.frames[e], n[e]);
         const Point<Space> db = unrotate(x.frames[e], dn[e]), dΓ = S.cwiseProduct(db);
         out.segment<spin>(first_[layout_.frame_block(e)]) +=
             h * (cross(db, Point<Space>(axis<Space>() + S.cwiseProduct(b))) + cross(b, dΓ));
