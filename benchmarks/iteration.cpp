@@ -46,7 +46,7 @@ double bare_cholmod(SymmetricMatrix A, Vector b) {
 /// Bytes per edge of what is kept from one solve to the next.
 template <class P>
 double kept_memory(const P& problem, const typename P::State& start) {
-  Workspace<LinearisationOf<P>, typename P::State> kept(problem.linearisation());
+  Workspace<LinearisationOf<P>, typename P::State> kept(problem);
   kept.factor.factorise();
   kept.factor.solve(kept.δ, kept.trial);
   kept.from = start;

@@ -10,6 +10,7 @@
 #include <pyrod/solve/anchor.hpp>
 #include <pyrod/solve/mode.hpp>
 #include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/saddle_workspace.hpp>
 
 #include <optional>
 
@@ -30,15 +31,17 @@ class SaddleNewton {
         weights_(problem.weights()),
         units_(problem.units()),
         softness_(problem.softness()),
-        here_(problem.linearisation()),
-        factor_(here_.hessian, problem.stiffness(), units_),
+        workspace_(problem),
+        here_((*workspace_).here),
+        factor_((*workspace_).factor),
         multipliers_(factor_.multipliers()),
-        δ_(Vector::Zero(here_.gradient.size())),
-        primal_(δ_),
-        dual_(δ_),
-        trial_(δ_),
-        sizes_(Vector::Ones(δ_.size())),
-        rounding_(δ_) {
+        from_((*workspace_).from),
+        δ_((*workspace_).δ),
+        primal_((*workspace_).primal),
+        dual_((*workspace_).dual),
+        trial_((*workspace_).trial),
+        sizes_((*workspace_).sizes),
+        rounding_((*workspace_).rounding) {
     options_.check();
   }
   SaddleNewton(const SaddleNewton&) = delete;
@@ -339,14 +342,15 @@ class SaddleNewton {
   bool minimum_;
   Options options_;
   Trace trace_;
-  Vector weights_, units_, softness_;
-  LinearisationOf<P> here_;
-  ShiftedFactor factor_;
+  decltype(std::declval<const P&>().weights()) weights_;
+  decltype(std::declval<const P&>().units()) units_;
+  decltype(std::declval<const P&>().softness()) softness_;
+  Leased<P, SaddleWorkspace<LinearisationOf<P>, State>> workspace_;
+  LinearisationOf<P>& here_;
+  ShiftedFactor& factor_;
   const Multipliers& multipliers_;
-  State x_, from_;
-  Vector δ_, primal_, dual_;  ///< the step, without the multipliers, and of these alone
-  Vector trial_;
-  Vector sizes_, rounding_;  ///< of the multipliers; of the gradient
+  State x_, &from_;
+  Vector &δ_, &primal_, &dual_, &trial_, &sizes_, &rounding_;  ///< see `SaddleWorkspace`
   Anchor anchor_;
   bool rounding_known_ = false;
   Curvature curvature_ = Curvature::convex;

@@ -33,6 +33,17 @@ class BlockSymmetric : public SymmetricMatrix {
     values.assign(rows.size(), 0);
   }
 
+  /// Whether it has this pattern, given as to the constructor, each list in rising order.
+  bool has(const std::vector<int>& sizes, const std::vector<std::vector<int>>& above) const {
+    if (sizes_ != sizes) return false;
+    for (std::size_t J = 0; J < above.size(); ++J) {
+      const auto begin = above_.begin() + (J == 0 ? 0 : ends_[J - 1]);
+      if (!std::equal(above[J].begin(), above[J].end(), begin, above_.begin() + ends_[J]))
+        return false;
+    }
+    return true;
+  }
+
   /// Number of the first row of block J.
   int first(int J) const { return first_[J]; }
   int size_of(int J) const { return sizes_[J]; }

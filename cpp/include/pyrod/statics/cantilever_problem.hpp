@@ -36,7 +36,7 @@ class CantileverProblem {
     forces_.assign(edges_, [&](int j) { return n[j]; });
   }
 
-  int shape() const { return edges_; }
+  bool fits(const Storage& made) const { return made.gradient.size() == spin * edges_; }
 
   Storage linearisation() const {
     return {0, 0, Vector::Zero(spin * edges_), BlockTridiagonal<spin>(edges_)};

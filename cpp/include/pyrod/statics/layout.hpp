@@ -29,6 +29,7 @@ class Layout : public KnownForces<Space> {
   /// Blocks before it belong to spans.
   int first_node_block() const { return first_node_block_; }
   const std::vector<int>& sizes() const { return sizes_; }
+  /// The blocks above the diagonal in each column of blocks, in their order.
   const std::vector<std::vector<int>>& above() const { return above_; }
   /// The length of the free directions of a node: that of the longest rod on it.
   double unit_length(int node) const { return node_length_[node]; }
@@ -93,6 +94,7 @@ class Layout : public KnownForces<Space> {
     first_node_block_ = int(sizes_.size());
     for (const int v : node_order()) number_node(v);
     couple_with_nodes();
+    for (auto& rows : above_) std::sort(rows.begin(), rows.end());
   }
 
   int new_block(int size) {

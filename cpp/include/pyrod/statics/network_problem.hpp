@@ -28,6 +28,10 @@ class NetworkProblem : public NetworkSpans<Space> {
     return {0, 0, Vector::Zero(size), std::move(H)};
   }
 
+  bool fits(const Storage& made) const {
+    return made.hessian.has(layout_.sizes(), layout_.above());
+  }
+
   void linearise(const State& x, Curvature curvature, Storage& out) const {
     if (curvature == Curvature::exact)
       linearise<Curvature::exact>(x, out);
