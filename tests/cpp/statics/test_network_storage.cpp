@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("gradient and tangent of spans of any length", Space, EACH_SP
       here.hessian.multiply(δ, change);
       if constexpr (Space::spin == 3)
         for (int e = 0; e < layout.edges(); ++e) {  // none at an equilibrium
-          const int r = statics.first_row(e);
+          const int r = layout.frame_row(e);
           const Vec3 g = here.gradient.template segment<3>(r), φ = δ.segment<3>(r);
           change.segment<3>(r) += g.cross(φ) / 2;
         }

@@ -31,7 +31,7 @@ class NetworkLoads {
   /// Lets only a part of all loads act.
   void load(double part) {
     part_ = part;
-    dead_.vertices = layout_.dead_forces();
+    dead_.vertices = layout_.known().dead_forces();
     for (auto& rod : dead_.vertices)
       for (auto& F : rod) F *= part;
     tell(dead_, part);
@@ -52,33 +52,19 @@ class NetworkLoads {
     const Acting& now = acting(x, changed);
     Forces out{now.vertices, now.nodes, now.told};
     for (int p = 0; p < int(layout_.spans().size()); ++p)
-      for (int e = first_edge(p); e <= last_edge(p); ++e) out.sections[e] += x.forces[p];
+      for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
+        out.sections[e] += x.forces[p];
     return out;
-  }
-
-  /// The dead couple on an edge, with that of an end that turns freely.
-  Spin<Space> edge_couple(int edge) const {
-    for (const auto& [j, m] : edge_couples_)
-      if (j == edge) return m;
-    return Spin<Space>::Zero();
   }
 
   const Layout<Space>& layout() const { return layout_; }
 
- protected:
   /// Forces on vertices and nodes, and what they tell of the section force in every edge.
   struct Acting {
     VertexForces<Space> vertices;
     std::vector<Point<Space>> nodes, told;
     Columns<dim> columns;  ///< of what is told, for packs
   };
-
-  int first_edge(int p) const {
-    return layout_.edge(layout_.spans()[p].rod, layout_.spans()[p].first);
-  }
-  int last_edge(int p) const {
-    return layout_.edge(layout_.spans()[p].rod, layout_.spans()[p].last - 1);
-  }
 
   /// What acts at x: it is kept in `changed` if it is more than the dead loads.
   const Acting& acting(const State& x, Acting& changed) const {
@@ -95,8 +81,8 @@ class NetworkLoads {
 
   /// Finds what the forces on vertices make of nodes and spans, of the nodes' own loads `own`.
   void tell(Acting& now, double own) const {
-    now.nodes = layout_.on_nodes(now.vertices, own);
-    const auto known = layout_.known_forces(now.vertices, own);
+    now.nodes = layout_.known().on_nodes(now.vertices, own);
+    const auto known = layout_.known().known_forces(now.vertices, own);
     now.told.resize(layout_.edges());
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
@@ -108,20 +94,25 @@ class NetworkLoads {
     }
   }
 
+  using Couples = std::vector<std::pair<int, Spin<Space>>>;
+
+  /// Spatial, on edges, with those of ends that turn freely.
+  const Couples& edge_couples() const { return edge_couples_; }
+  /// Material, on edges.
+  const Couples& following_couples() const { return following_couples_; }
+  /// Spatial, and material, on nodes.
+  const std::vector<Spin<Space>>& node_moments() const { return node_moment_; }
+  const std::vector<Spin<Space>>& following_moments() const { return node_following_; }
+  const VertexForces<Space>& dead_forces() const { return dead_.vertices; }
+  bool follow() const { return follows_; }
+  /// Of all loads, the part that acts.
+  double part() const { return part_; }
+
+ private:
   static void set_columns(Acting& now) {
     now.columns.assign(int(now.told.size()), [&](int e) { return now.told[e]; });
   }
 
-  const Layout<Space>& layout_;
-  const Network<Space>& net_;
-  Acting dead_;
-  std::vector<std::pair<int, Spin<Space>>> edge_couples_;       ///< spatial, on edges
-  std::vector<std::pair<int, Spin<Space>>> following_couples_;  ///< material, on edges
-  std::vector<Spin<Space>> node_moment_, node_following_;       ///< spatial; material
-  double part_ = 1;
-  bool follows_ = false, couples_ = false;
-
- private:
   void find_couples() {
     edge_couples_.clear();
     following_couples_.clear();
@@ -168,6 +159,14 @@ class NetworkLoads {
         layout_.edge(rod, n - 1),
         transmitted_moment<Space>(u, r.bending[n], r.K0[n], r.grid.Δs(n)));
   }
+
+  const Layout<Space>& layout_;
+  const Network<Space>& net_;
+  Acting dead_;
+  Couples edge_couples_, following_couples_;
+  std::vector<Spin<Space>> node_moment_, node_following_;
+  double part_ = 1;
+  bool follows_ = false, couples_ = false;
 };
 
 }  // namespace pyrod

@@ -162,11 +162,10 @@ class NetworkSolver {
     const Uncertainty<Space> open(problem);
     if (more_.rounding && open.feels_rounding())
       out_.rounding = open.rounding(newton.rounding_step());
-    if (out_.conservative) look_at_modes(problem, open, newton);
+    if (out_.conservative) look_at_modes(open, newton);
   }
 
-  void look_at_modes(const Problem& problem, const Uncertainty<Space>& open,
-                     SaddleNewton<Problem>& newton) {
+  void look_at_modes(const Uncertainty<Space>& open, SaddleNewton<Problem>& newton) {
     auto mode = newton.soft_mode();
     out_.softness = mode ? open.softness(out_.state, *mode) : Softness{};
     out_.neutral = out_.softness.neutral();
@@ -177,7 +176,7 @@ class NetworkSolver {
     }
     out_.mode.clear();
     for (int j = 0; mode && j < layout().edges(); ++j)
-      out_.mode.push_back(mode->shape.template segment<Space::spin>(problem.first_row(j)));
+      out_.mode.push_back(mode->shape.template segment<Space::spin>(layout().frame_row(j)));
   }
 
   void keep(Result<NetworkState<Space>>&& result) {

@@ -6,31 +6,32 @@
 #pragma once
 
 #include <pyrod/statics/chain_reach.hpp>
-#include <pyrod/statics/network_cells.hpp>
+#include <pyrod/statics/network_rows.hpp>
 
 #include <array>
 
 namespace pyrod {
 
 template <class Space>
-class NetworkSpans : public NetworkCells<Space> {
+class NetworkSpans {
  public:
-  using Base = NetworkCells<Space>;
-  using Base::Base;
-  using Base::dim, Base::spin, Base::first_row;
-  using typename Base::Acting, typename Base::Rotation, typename Base::State;
-  using typename Base::Storage;
+  using Rotation = typename Space::Rotation;
+  using State = NetworkState<Space>;
+  using Storage = Linearisation<BlockSymmetric>;
+  static constexpr int dim = Space::dim, spin = Space::spin;
 
- protected:
-  using Base::layout_, Base::net_, Base::columns_, Base::first_;
+  /// `told`: what the loads tell of the section forces.
+  NetworkSpans(const Layout<Space>& layout, const EdgeColumns<Space>& columns,
+               const Columns<dim>& told)
+      : layout_(layout), columns_(columns), told_(told) {}
 
   /// Writes the rows of span p.
   template <Curvature kind>
-  void set_span(const State& x, const Acting& now, int p, Storage& out) const {
+  void set(const State& x, int p, Storage& out) const {
     const auto& span = layout_.spans()[p];
-    const int e = this->first_edge(p), row = first_row(e), edges = span.last - span.first;
+    const int e = layout_.first_edge(p), row = layout_.frame_row(e), edges = span.last - span.first;
     const Rotation* frames = x.frames.data() + e;
-    const Chain<Space> chain{edges, e, columns_, now.columns, x.forces[p], frames[0], frames};
+    const Chain<Space> chain{edges, e, columns_, told_, x.forces[p], frames[0], frames};
     for (const int r : {row, row + spin * (edges - 1)}) out.hessian.set_zero(r, r + spin);
     ChainRows<Space> rows{out.gradient.data() + row, out.hessian.template chain<spin>(row, edges)};
     dispatch(ChainLinearisation<Space, kind>(chain, rows));
@@ -43,8 +44,8 @@ class NetworkSpans : public NetworkCells<Space> {
   /// The rows of the force: the span reaches from node to node.
   void set_force(const State& x, const Chain<Space>& chain, int p, Storage& out) const {
     const auto& span = layout_.spans()[p];
-    const int row = first_[span.block], open = int(span.open.cols());
-    const Mat<dim> C = Base::template padded<dim>(span.open);
+    const int row = layout_.row(span.block), open = int(span.open.cols());
+    const Mat<dim> C = padded(span.open);
     const BlockColumns to = out.hessian.columns(row);
     std::array<double*, dim> levers{};
     for (int k = 0; k < open; ++k) levers[k] = to[k];
@@ -58,6 +59,10 @@ class NetworkSpans : public NetworkCells<Space> {
       for (int i = 0; i <= k; ++i) to[k][to.above + i] = -C.col(i).dot(give * C.col(k));
     out.energy += x.forces[p].dot(apart);
   }
+
+  const Layout<Space>& layout_;
+  const EdgeColumns<Space>& columns_;
+  const Columns<dim>& told_;
 };
 
 }  // namespace pyrod
