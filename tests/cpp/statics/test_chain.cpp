@@ -7,6 +7,7 @@
 
 #include "support/dense.hpp"
 #include "support/instructions.hpp"
+#include "support/matrices.hpp"
 #include "support/models.hpp"
 #include "support/near.hpp"
 #include "support/random.hpp"
@@ -221,7 +222,7 @@ TEST_CASE_TEMPLATE("a part of a chain, in a matrix of other blocks", Space, EACH
       std::vector<std::vector<int>> above{{}, {0}};
       for (int j = 1; j < edges; ++j) above.push_back({j});
       if (edges > 1) above.back() = {0, edges - 1};
-      BlockSymmetric A(sizes, above);
+      BlockSymmetric A(pattern_of(sizes, above));
       const auto columns = whole.columns();
       const auto told = whole.forces();
       const auto chain = part.chain(columns, told);

@@ -82,7 +82,8 @@ TEST_CASE_TEMPLATE("in a tree the loads tell all section forces, and all nodes b
   Point<Space> carried = s.net.loads[0].force[2] + s.net.nodes[0].force;
   const auto dead = layout.known().dead_forces();
   for (const auto& [p, end] : layout.spans_at(0))
-    carried += end ? Point<Space>(layout.known().inside(layout.spans()[p], dead) - known[p]) : known[p];
+    carried +=
+        end ? Point<Space>(layout.known().inside(layout.spans()[p], dead) - known[p]) : known[p];
   CHECK(distance(carried, total(s.net)) < 1e-14);
 }
 

@@ -52,9 +52,9 @@ class Layout {
   int last_edge(int p) const { return edge(spans()[p].rod, spans()[p].last - 1); }
   /// Blocks before it belong to spans.
   int first_node_block() const { return first_node_block_; }
-  const std::vector<int>& sizes() const { return sizes_; }
-  /// The blocks above the diagonal in each column of blocks, in their order.
-  const std::vector<std::vector<int>>& above() const { return above_; }
+  const BlockPattern& pattern() const { return pattern_; }
+  /// Of the blocks.
+  const std::vector<int>& sizes() const { return pattern_.sizes; }
   /// The length of the free directions of a node: that of the longest rod on it.
   double unit_length(int node) const { return node_length_[node]; }
   /// EI/L² of a span, the length of its open directions.
@@ -66,6 +66,8 @@ class Layout {
   double unit_moment() const { return moment_; }
 
  private:
+  using Couplings = std::vector<std::pair<int, int>>;
+
   /// Each part is measured by itself: what is stiff or long elsewhere does not count.
   void set_units(Spans<Space>& cut) {
     double stiffness = 0, length = 0;
@@ -101,39 +103,39 @@ class Layout {
     place_block_ = turn_block_;
     hinge_block_.assign(cut.hinges, -1);
     frame_block_.assign(edges(), -1);
+    Couplings couplings;
     for (auto& span : cut.spans) {
       for (int j = span.first; j < span.last; ++j) {
         frame_block_[edge(span.rod, j)] = new_block(spin);
-        if (j > span.first) above_.back().push_back(frame_block_[edge(span.rod, j - 1)]);
+        if (j > span.first)
+          couplings.emplace_back(frame_block_[edge(span.rod, j - 1)], last_block());
       }
       if (span.open.cols() == 0) continue;
       span.block = new_block(int(span.open.cols()));
       for (int j = span.first; j < span.last; ++j)
-        above_[span.block].push_back(frame_block_[edge(span.rod, j)]);
+        couplings.emplace_back(frame_block_[edge(span.rod, j)], span.block);
     }
-    couple_through_nodes(cut);
-    first_node_block_ = int(sizes_.size());
+    couple_through_nodes(cut, couplings);
+    first_node_block_ = pattern_.blocks();
     for (const int v : node_order(cut)) number_node(cut, v);
-    couple_with_nodes(cut);
-    for (auto& rows : above_) std::sort(rows.begin(), rows.end());
+    couple_with_nodes(cut, couplings);
+    pattern_ = BlockPattern(std::move(pattern_.sizes), couplings);
     rows_.assign(1, 0);
-    for (const int size : sizes_) rows_.push_back(rows_.back() + size);
+    for (const int size : pattern_.sizes) rows_.push_back(rows_.back() + size);
   }
 
   int new_block(int size) {
-    sizes_.push_back(size);
-    above_.emplace_back();
-    return int(sizes_.size()) - 1;
+    pattern_.sizes.push_back(size);
+    return last_block();
   }
+  int last_block() const { return pattern_.blocks() - 1; }
 
-  void couple_through_nodes(const Spans<Space>& cut) {
+  void couple_through_nodes(const Spans<Space>& cut, Couplings& couplings) const {
     for (const auto& on : cut.attached)
       for (const auto& a : on) {
         const auto [before, behind] = cut.edges_at(a);
         if (a.rigid || before < 0 || behind < 0 || before == behind) continue;
-        const auto [I, J] = std::minmax(frame_block_[before], frame_block_[behind]);
-        auto& rows = above_[J];
-        if (std::find(rows.begin(), rows.end(), I) == rows.end()) rows.push_back(I);
+        couplings.push_back(std::minmax(frame_block_[before], frame_block_[behind]));
       }
   }
 
@@ -146,10 +148,9 @@ class Layout {
     if (node.free.cols() > 0 && !derived(v)) place_block_[v] = new_block(int(node.free.cols()));
   }
 
-  void couple_with_nodes(const Spans<Space>& cut) {
+  void couple_with_nodes(const Spans<Space>& cut, Couplings& couplings) const {
     const auto add = [&](int I, int J) {
-      auto& rows = above_[J];
-      if (I >= 0 && std::find(rows.begin(), rows.end(), I) == rows.end()) rows.push_back(I);
+      if (I >= 0) couplings.emplace_back(I, J);
     };
     for (const auto& on : cut.attached)
       for (const auto& a : on) {
@@ -188,9 +189,9 @@ class Layout {
   }
 
   KnownForces<Space> known_;
-  std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_, sizes_;
+  std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_;
   std::vector<int> rows_;  ///< first of each block, and behind the last
-  std::vector<std::vector<int>> above_;
+  BlockPattern pattern_;
   int first_node_block_ = 0;
   std::vector<double> span_moment_, span_length_, rod_moment_, node_length_;
   double moment_ = 1;

@@ -40,14 +40,12 @@ class NetworkProblem {
   Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }
 
   Storage linearisation() const {
-    BlockSymmetric H(layout_.sizes(), layout_.above());
+    BlockSymmetric H(layout_.pattern());
     const int size = H.size();
     return {0, 0, Vector::Zero(size), std::move(H)};
   }
 
-  bool fits(const Storage& made) const {
-    return made.hessian.has(layout_.sizes(), layout_.above());
-  }
+  bool fits(const Storage& made) const { return made.hessian.pattern() == layout_.pattern(); }
 
   void linearise(const State& x, Curvature curvature, Storage& out) const {
     if (curvature == Curvature::exact)
