@@ -46,21 +46,21 @@ double bare_cholmod(SymmetricMatrix A, Vector b) {
 /// Bytes per edge of what is kept from one solve to the next.
 template <class P>
 double kept_memory(const P& problem, const typename P::State& start) {
-  Workspace<LinearisationOf<P>, typename P::State> kept(problem.linearisation());
+  Workspace<LinearisationOf<P>, typename P::State> kept(problem);
   kept.factor.factorise();
   kept.factor.solve(kept.δ, kept.trial);
   kept.from = start;
   return double(kept.bytes()) / double(start.size());
 }
 
-template <class Space, class Model>
-void row(int n) {
-  const auto scene_rod = rod<Space>(n);
+template <class Space>
+void row(int n, ModelKind model, const char* name) {
+  const auto scene_rod = in_model(rod<Space>(n), model);
   Loads<Space> loads(n);
   loads.add_force(scene_rod.grid, restrict_point<Space>({5, 0, 1}), 1);
   const auto identity = Space::Rotation::Identity();
-  const CantileverProblem<Space, Model> problem(scene_rod, identity, loads);
-  const Cantilever<Space, Model> scene(scene_rod, Point<Space>::Zero(), identity, loads);
+  const CantileverProblem<Space> problem(scene_rod, identity, loads);
+  const Cantilever<Space> scene(scene_rod, Point<Space>::Zero(), identity, loads);
 
   auto here = problem.linearisation();
   auto state = scene.start().first, moved = state;
@@ -85,24 +85,24 @@ void row(int n) {
   const double iteration = scale * seconds([&] { step(Curvature::exact); });
   const double bare = scale * bare_cholmod(here.hessian, here.gradient);
 
-  Newton<CantileverProblem<Space, Model>> newton(problem);
+  Newton<CantileverProblem<Space>> newton(problem);
   const auto start = scene.start().first;
   int iterations = 0;
   const double newton_time = seconds([&] { iterations = newton.solve(start).iterations(); }, 3);
   const double all = seconds([&] { scene.solve(); }, 3);
   std::printf(
       "%-8s %-12s %8d %6.1f %6.0f %6.0f %6.1f %6.0f %6.0f %6.2f %4d %7.0f %6.2f %10.3f %6.0f\n",
-      Space::spin == 3 ? "spatial" : "planar", Model::name, n, evaluate, factorise, solve, move,
-      iteration, bare, iteration / bare, iterations, scale * newton_time / iterations,
+      Space::spin == 3 ? "spatial" : "planar", name, n, evaluate, factorise, solve, move, iteration,
+      bare, iteration / bare, iterations, scale * newton_time / iterations,
       scale * newton_time / iterations / bare, 1e3 * all, kept_memory(problem, start));
   std::fflush(stdout);
 }
 
 template <class Space>
 void rows(int n) {
-  row<Space, Cosserat>(n);
-  row<Space, ExtensibleKirchhoff>(n);
-  row<Space, InextensibleKirchhoff>(n);
+  row<Space>(n, ModelKind::cosserat, "cosserat");
+  row<Space>(n, ModelKind::extensible, "extensible");
+  row<Space>(n, ModelKind::inextensible, "inextensible");
 }
 
 }  // namespace pyrod::benchmark

@@ -18,14 +18,12 @@ Vec3 direction() { return Vec3(normal(), normal(), normal()).normalized(); }
 Solution<Spatial> solve_random(double force, double curvature, double couple) {
   const int n = 64;
   const Vec3 bending(1, std::exp(1.15 * normal()), 0.6 * std::exp(0.5 * normal()));
-  const auto rod =
-      Rod<Spatial>::uniform(Grid::uniform(1, n), bending, Vec3::Ones(), curvature * direction());
+  const auto rod = Rod<Spatial>::uniform(Grid::uniform(1, n), bending,
+                                         Vec3::Constant(Section::rigid), curvature * direction());
   Loads<Spatial> loads(n);
   loads.add_force(rod.grid, force * direction(), 1);
   if (couple > 0) loads.add_couple(rod.grid, couple * direction(), 1);
-  return Cantilever<Spatial, InextensibleKirchhoff>(rod, Vec3::Zero(), Quaternion::Identity(),
-                                                    loads)
-      .solve();
+  return Cantilever<Spatial>(rod, Vec3::Zero(), Quaternion::Identity(), loads).solve();
 }
 
 void row(double force, double curvature, double couple) {

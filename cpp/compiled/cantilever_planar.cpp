@@ -3,8 +3,6 @@
 
 namespace pyrod {
 
-PYROD_CANTILEVER_SOLVERS(, Planar, Cosserat)
-PYROD_CANTILEVER_SOLVERS(, Planar, ExtensibleKirchhoff)
-PYROD_CANTILEVER_SOLVERS(, Planar, InextensibleKirchhoff)
+PYROD_CANTILEVER_SOLVERS(, Planar)
 
 }  // namespace pyrod

@@ -3,8 +3,6 @@
 
 namespace pyrod {
 
-PYROD_CANTILEVER_SOLVERS(, Spatial, Cosserat)
-PYROD_CANTILEVER_SOLVERS(, Spatial, ExtensibleKirchhoff)
-PYROD_CANTILEVER_SOLVERS(, Spatial, InextensibleKirchhoff)
+PYROD_CANTILEVER_SOLVERS(, Spatial)
 
 }  // namespace pyrod

@@ -24,8 +24,7 @@ py::tuple energy_at(const GivenRod& given, const Array& r, const Array& q,
   const auto& rod = given.made.rod;
   const auto curve = framed_curve(rod.grid, r, q, start, end);
   const HeldEnds held{start.has_value(), end.has_value()};
-  const auto jet = with_model(
-      given.model(), [&]<class Model>(Model) { return energy<Spatial, Model>(rod, curve, held); });
+  const auto jet = energy<Spatial>(in_model(rod, given.model()), curve, held);
   return py::make_tuple(jet.bend_twist, jet.stretch_shear, array(jet.gradient),
                         columns(jet.hessian));
 }

@@ -7,11 +7,12 @@
 int main() {
   using namespace pyrod;
   const int edges = 256;
-  const auto rod = Rod<Planar>::uniform(Grid::uniform(1.0, edges), Vec1(1.0), Vec2(1.0, 1.0));
+  const auto rod =
+      Rod<Planar>::uniform(Grid::uniform(1.0, edges), Vec1(1.0), Vec2::Constant(Section::rigid));
   Loads<Planar> loads(edges);
   loads.add_force(rod.grid, {10, 0}, rod.grid.length());  // components 1 and 3
 
-  const Cantilever<Planar, InextensibleKirchhoff> scene(rod, {0, 0}, Angle{0}, loads);
+  const Cantilever<Planar> scene(rod, {0, 0}, Angle{0}, loads);
   const auto found = scene.solve();
   const Vec2 exact(0.8106090248802964, 0.4450044022462487), tip = found.curve.positions.back();
   std::cout << name(found.status) << " in " << found.record.size() << " iterations, tip ("

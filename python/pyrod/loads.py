@@ -208,10 +208,9 @@ def scaled_load(load: Load, factor: float) -> Load:
 
 
 def _with_values(load: Load, rods: tuple[Rod, ...], new: Callable[[Any, str], Any]) -> Load:
-    if isinstance(load, DistributedForce):
-        values = new(load.force_per_length, "force_per_length")
-        return DistributedForce(values, load.rod, load.follower)
-    if isinstance(load, DistributedMoment):
-        values = new(load.moment_per_length, "moment_per_length")
-        return DistributedMoment(values, load.rod, load.follower)
-    return load
+    if not isinstance(load, (DistributedForce, DistributedMoment)):
+        return load
+    name = fields(load)[0].name
+    before = getattr(load, name)
+    values = new(before, name)
+    return load if values is before else type(load)(values, load.rod, load.follower)

@@ -51,10 +51,10 @@ TEST_CASE_TEMPLATE("the energy of a rod against differences", Case, EACH_MODEL) 
   for (const HeldEnds held : all_ends) {
     CAPTURE(held.start);
     CAPTURE(held.end);
-    const auto jet = energy<Space, Model>(rod, curve, held);
+    const auto jet = energy(in_model(rod, Model::kind), curve, held);
     const Vector δ = random.vector(int(jet.gradient.size()));
     const auto at = [&](double t) {
-      return energy<Space, Model>(rod, moved_by<Space>(curve, t * δ), held);
+      return energy(in_model(rod, Model::kind), moved_by<Space>(curve, t * δ), held);
     };
     check_slope([&](double t) { return at(t).energy(); }, jet.gradient.dot(δ), 0.02);
     check_derivative([&](double t) { return at(t).gradient; },
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("the energy is the sum over strains", Case, EACH_MODEL) {
         if (i == last ? Model::extensible : Model::shearable)
           stretch += rod.grid.h(j) / 2 * rod.stretching[j][i] * ΔΓ[i] * ΔΓ[i];
     }
-    const auto jet = energy<Space, Model>(rod, curve, held);
+    const auto jet = energy(in_model(rod, Model::kind), curve, held);
     CHECK(jet.bend_twist == doctest::Approx(bend).epsilon(1e-13));
     CHECK(jet.stretch_shear == doctest::Approx(stretch).epsilon(1e-13));
     CHECK(jet.energy() == jet.bend_twist + jet.stretch_shear);
@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE("at rest a rod stores nothing and is in equilibrium", Case, E
   Random random(3);
   const Rod<Space> rod = random.rod<Space>(edges);
   const auto rest = rod.at_rest(random.vector<Space::dim>(), random.rotation<Space>());
-  const auto jet = energy<Space, typename Case::Model>(rod, rest, {true, true});
+  const auto jet = energy(in_model(rod, Case::Model::kind), rest, {true, true});
   CHECK(jet.energy() < 1e-28);
   CHECK(jet.gradient.norm() < 1e-12);
 }
@@ -116,8 +116,8 @@ TEST_CASE_TEMPLATE("the energy does not see a rigid motion; the gradient turns w
   for (auto& q : turned.frames) q = Q * q;
   turned.start_frame = Q * curve.start_frame;
   turned.end_frame = Q * curve.end_frame;
-  const auto before = energy<Space, Model>(rod, curve, {true, true});
-  const auto after = energy<Space, Model>(rod, turned, {true, true});
+  const auto before = energy(in_model(rod, Model::kind), curve, {true, true});
+  const auto after = energy(in_model(rod, Model::kind), turned, {true, true});
   CHECK(after.energy() == doctest::Approx(before.energy()).epsilon(1e-13));
   const Vector g = before.gradient, turned_g = after.gradient;
   const double scale = g.norm();
@@ -135,7 +135,7 @@ TEST_CASE_TEMPLATE("the Hessian has the entries that neighbours couple", Space, 
   constexpr int d = Space::dim, s = Space::spin;
   for (const int n : {1, 2, 7}) {
     const Rod<Space> rod = random.rod<Space>(n);
-    const auto jet = energy<Space, Cosserat>(rod, random.curve<Space>(rod.grid));
+    const auto jet = energy(rod, random.curve<Space>(rod.grid));
     // n + 1 positions with themselves and the next; n frames with themselves and the next; each
     // frame with the two positions at its ends.
     const int expected =
@@ -158,8 +158,8 @@ TEST_CASE_TEMPLATE("a planar rod is a spatial one in its plane", Model, Cosserat
   for (const auto& r : plane.positions) space.positions.push_back(embed(r));
   for (const auto& q : plane.frames) space.frames.push_back(embed(q));
 
-  const auto a = energy<Planar, Model>(flat, plane, {true, true});
-  const auto b = energy<Spatial, Model>(rod, space, {true, true});
+  const auto a = energy(in_model(flat, Model::kind), plane, {true, true});
+  const auto b = energy(in_model(rod, Model::kind), space, {true, true});
   CHECK(b.bend_twist == doctest::Approx(a.bend_twist).epsilon(1e-13));
   CHECK(b.stretch_shear == doctest::Approx(a.stretch_shear).epsilon(1e-13));
   std::vector<int> kept;  // unknowns r1, r3, φ2 of the spatial rod

@@ -11,7 +11,7 @@ using namespace pyrod::test;
 
 TEST_CASE("multipliers: their rows, their part of vectors, and the matrix times it") {
   Random random(1);
-  BlockSymmetric K({2, 1, 2, 3, 1}, {{}, {0}, {0}, {1}, {2, 3}});
+  BlockSymmetric K(pattern_of({2, 1, 2, 3, 1}, {{}, {0}, {0}, {1}, {2, 3}}));
   for (double& value : K.values) value = random.number();
   Vector weights = Vector::Ones(K.size());
   const std::vector<int> rows{2, 5, 6, 7};

@@ -49,7 +49,7 @@ TEST_CASE("blocks of any sizes in any pattern are the dense matrix they stand fo
   for (const int blocks : {1, 2, 3, 10, 30}) {
     CAPTURE(blocks);
     const Pattern pattern(random, blocks);
-    BlockSymmetric A(pattern.sizes, pattern.above);
+    BlockSymmetric A(pattern_of(pattern.sizes, pattern.above));
     Dense upper = Dense::Zero(A.size(), A.size());
     for (int round = 0; round < 2; ++round)  // the second is added to the first
       for (int J = 0; J < blocks; ++J) {
@@ -78,7 +78,7 @@ TEST_CASE("the pattern: sizes, first rows, entries by number, in the order that 
   Random random(2);
   for (const int blocks : {1, 4, 25}) {
     const Pattern pattern(random, blocks);
-    BlockSymmetric A(pattern.sizes, pattern.above);
+    BlockSymmetric A(pattern_of(pattern.sizes, pattern.above));
     CHECK(A.size() == pattern.first.back());
     CHECK(int(A.values.size()) == pattern.entries());
     CHECK(A.rows.size() == A.values.size());
@@ -97,7 +97,7 @@ TEST_CASE("the pattern: sizes, first rows, entries by number, in the order that 
 }
 
 TEST_CASE("blocks of a fixed size, and of one row or column, are added as dense ones") {
-  BlockSymmetric A({3, 1, 2}, {{}, {0}, {1, 0}});
+  BlockSymmetric A(pattern_of({3, 1, 2}, {{}, {0}, {1, 0}}));
   Mat<3, 2> B;
   B << 1, 2, 3, 4, 5, 6;
   A.add(0, 1, Vec3(7, 8, 9));
@@ -113,7 +113,7 @@ TEST_CASE("blocks of a fixed size, and of one row or column, are added as dense 
 }
 
 TEST_CASE("of a larger block only what fits is read") {
-  BlockSymmetric A({2, 1}, {{}, {0}});
+  BlockSymmetric A(pattern_of({2, 1}, {{}, {0}}));
   Mat3 B;
   B << 1, 2, 3, 4, 5, 6, 7, 8, 9;
   A.add(0, 1, B);
@@ -127,7 +127,7 @@ TEST_CASE("of a larger block only what fits is read") {
 TEST_CASE("columns lead to the entries of a block, and can be cleared by themselves") {
   Random random(3);
   const Pattern pattern(random, 12);
-  BlockSymmetric A(pattern.sizes, pattern.above);
+  BlockSymmetric A(pattern_of(pattern.sizes, pattern.above));
   for (int J = 0; J < 12; ++J) {
     const int row = A.first(J), size = A.size_of(J);
     const auto columns = A.columns(row);
@@ -149,7 +149,17 @@ TEST_CASE("columns lead to the entries of a block, and can be cleared by themsel
 
 TEST_CASE("a chain of equal blocks has the pattern of the block tridiagonal matrix") {
   const BlockTridiagonal<3> chain(5);
-  const BlockSymmetric A({3, 3, 3, 3, 3}, {{}, {0}, {1}, {2}, {3}});
+  const BlockSymmetric A(pattern_of({3, 3, 3, 3, 3}, {{}, {0}, {1}, {2}, {3}}));
   CHECK(A.starts == chain.starts);
   CHECK(A.rows == chain.rows);
+}
+
+TEST_CASE("couplings in any order, and more than once, are the same pattern") {
+  const BlockPattern pattern({1, 2, 3}, {{1, 2}, {0, 1}, {0, 2}, {1, 2}, {0, 2}});
+  CHECK(pattern.starts == std::vector{0, 0, 1, 3});
+  CHECK(pattern.above == std::vector{0, 0, 1});
+  CHECK(pattern == pattern_of({1, 2, 3}, {{}, {0}, {1, 0}}));
+  CHECK(pattern != pattern_of({1, 2, 3}, {{}, {0}, {1}}));
+  CHECK(pattern != pattern_of({1, 2, 2}, {{}, {0}, {1, 0}}));
+  CHECK(BlockPattern({2}, {}).blocks() == 1);
 }

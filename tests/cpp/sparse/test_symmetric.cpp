@@ -24,7 +24,7 @@ TEST_CASE_TEMPLATE("a chain of blocks is the dense matrix it stands for", Size,
         diagonal_lanes(i).values[j % 4] = diagonal(i);
       }
       if (j % 4 == 3 || j == blocks - 1)
-        A.set_columns(j / 4 * 4, j % 4 + 1, above_lanes, diagonal_lanes);
+        A.chain().set(j / 4 * 4, j % 4 + 1, above_lanes, diagonal_lanes);
       const Mat<B> symmetric = diagonal.template selfadjointView<Eigen::Upper>();
       expected.block<B, B>(B * j, B * j) = symmetric;
       if (j == 0) continue;

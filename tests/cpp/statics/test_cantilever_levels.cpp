@@ -29,9 +29,8 @@ LoadedRod loaded(int level, int& made) {
 }
 
 template <class Space>
-Climbed climb(CantileverLevels<Space, InextensibleKirchhoff>& levels,
-              const std::vector<typename Space::Rotation>& start, double tolerance,
-              int iterations = 100) {
+Climbed climb(CantileverLevels<Space>& levels, const std::vector<typename Space::Rotation>& start,
+              double tolerance, int iterations = 100) {
   const std::vector<Rod<Spatial>> rods{straight(16)};
   Options options;
   const auto solve = [&](int level, bool from_below, double step) {
@@ -51,14 +50,14 @@ TEST_CASE("levels of a clamped rod refuse loads that follow it") {
     out.loads.add_following_force(out.rod.grid, {0, 2, 0}, 1);
     return out;
   };
-  CantileverLevels<Spatial, InextensibleKirchhoff> levels(follow, Placement<Spatial>{});
+  CantileverLevels<Spatial> levels(follow, Placement<Spatial>{});
   CHECK_REFUSED("loads: some follow the rod", climb<Spatial>(levels, {}, 1e-6));
 }
 
 TEST_CASE_TEMPLATE("the elastica to 1e-10, twice from levels made once", Space, Planar, Spatial) {
   int made = 0;
-  CantileverLevels<Space, InextensibleKirchhoff> levels(
-      [&](int level) { return loaded(level, made); }, Placement<Spatial>{});
+  CantileverLevels<Space> levels([&](int level) { return loaded(level, made); },
+                                 Placement<Spatial>{});
   for (int i = 0; i < 2; ++i) {
     const auto climbed = climb<Space>(levels, {}, 1e-10);
     const auto& rod = climbed.solution.rods[0];
@@ -71,8 +70,8 @@ TEST_CASE_TEMPLATE("the elastica to 1e-10, twice from levels made once", Space, 
 
 TEST_CASE_TEMPLATE("a start goes along where the first level fails", Space, Planar, Spatial) {
   int made = 0;
-  CantileverLevels<Space, InextensibleKirchhoff> levels(
-      [&](int level) { return loaded(level, made); }, Placement<Spatial>{});
+  CantileverLevels<Space> levels([&](int level) { return loaded(level, made); },
+                                 Placement<Spatial>{});
   std::vector<typename Space::Rotation> start;
   const auto frames = climb<Space>(levels, {}, 1e-6).solution.rods[0].curve.frames;
   for (const auto& q : frames) start.push_back(restrict_rotation<Space>(q));

@@ -15,15 +15,15 @@ using namespace pyrod::test;
 
 namespace {
 
-static_assert(Problem<CantileverProblem<Planar, InextensibleKirchhoff>>);
-static_assert(Problem<CantileverProblem<Spatial, Cosserat>>);
+static_assert(Problem<CantileverProblem<Planar>>);
+static_assert(Problem<CantileverProblem<Spatial>>);
 
 /// A rod, loads and frames, all at random.
 template <class Case>
 struct Setting {
   using Space = typename Case::Space;
   using Rotation = typename Space::Rotation;
-  using Statics = CantileverProblem<Space, typename Case::Model>;
+  using Statics = CantileverProblem<Space>;
 
   Rod<Space> rod;
   Loads<Space> loads;
@@ -31,7 +31,7 @@ struct Setting {
   std::vector<Rotation> frames;
 
   Setting(Random& random, int n, bool couples)
-      : rod(random.rod<Space>(n)),
+      : rod(in_model(random.rod<Space>(n), Case::Model::kind)),
         loads(n),
         clamp(random.rotation<Space>()),
         frames(random.curve<Space>(rod.grid, 1.5).frames) {
@@ -108,8 +108,8 @@ TEST_CASE_TEMPLATE("the energy: bending, less the work of the forces and of what
       const Spin<Space> ΔK = u / grid.Δs(j) - setting.rod.K0[j];
       const double bend = grid.Δs(j) / 2 * ΔK.dot(setting.rod.bending[j].cwiseProduct(ΔK));
       const Point<Space> b = unrotate(setting.frames[j], force[j]);
-      const Compliance<Space, typename Case::Model> S(setting.rod.stretching[j]);
-      const double work = -grid.h(j) * (b.dot(axis<Space>()) + b.dot(S * b) / 2);
+      const Point<Space> S = compliance(setting.rod.stretching[j]);
+      const double work = -grid.h(j) * (b.dot(axis<Space>()) + b.dot(S.cwiseProduct(b)) / 2);
       expected += bend + work;
       magnitude += bend + std::abs(work);
     }
@@ -147,12 +147,12 @@ TEST_CASE_TEMPLATE("the residual is that of the energy in positions and frames",
   const auto force = setting.loads.section_forces();
   CosseratCurve<Space> curve{{Point<Space>::Zero()}, setting.frames, setting.clamp, setting.clamp};
   for (int j = 0; j < n; ++j) {
-    const Compliance<Space, Cosserat> S(setting.rod.stretching[j]);
-    const Point<Space> Γ = axis<Space>() + S * unrotate(curve.frames[j], force[j]);
+    const Point<Space> S = compliance(setting.rod.stretching[j]);
+    const Point<Space> Γ = axis<Space>() + S.cwiseProduct(unrotate(curve.frames[j], force[j]));
     curve.positions.push_back(curve.positions[j] +
                               setting.rod.grid.h(j) * rotate(curve.frames[j], Γ));
   }
-  const Vector full = energy<Space, Cosserat>(setting.rod, curve).gradient;
+  const Vector full = energy(setting.rod, curve).gradient;
   const Vector reduced = linearised(setting.statics(), setting.frames).gradient;
   for (int j = 1; j <= n; ++j)
     CHECK(distance(full.segment<dim>(station * j), setting.loads.force[j]) < 1e-13 * full.norm());

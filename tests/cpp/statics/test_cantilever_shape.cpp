@@ -15,11 +15,11 @@ namespace {
 
 template <class Model>
 RodSolution<Spatial> shape(const Scene<Spatial>& scene, int stride) {
+  const auto rod = in_model(scene.rod, Model::kind);
   const Vec3 r0(0.3, -0.2, 0.5);
   const Quaternion q0 = exp(Vec3(0.4, -0.1, 0.2));
   auto frames = scene.rod.at_rest(r0, q0).frames;  // no equilibrium, which does not matter
-  return CantileverShape<Spatial, Model>(scene.rod, scene.loads, stride)
-      .solution(r0, q0, std::move(frames));
+  return CantileverShape<Spatial>(rod, scene.loads, stride).solution(r0, q0, std::move(frames));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void check_unknowns(const Structure<Space>& s, int edges, int forces, int turns,
 template <class Space>
 int fill(const Network<Space>& net) {
   const Layout<Space> layout(net);
-  const BlockSymmetric A(layout.sizes(), layout.above());
+  const BlockSymmetric A(layout.pattern());
   return int(Cholesky(A).factor_entries()) - int(A.rows.size());
 }
 

@@ -21,12 +21,12 @@ void load(Random& random, Structure<Space>& s) {
 /// What is not balanced at a node along its free directions, where only what is known acts.
 template <class Space>
 Vector imbalance(const Layout<Space>& layout, int v, const std::vector<Point<Space>>& known) {
-  const auto dead = layout.dead_forces();
-  Point<Space> sum = -layout.on_nodes(dead)[v];
+  const auto dead = layout.known().dead_forces();
+  Point<Space> sum = -layout.known().on_nodes(dead)[v];
   for (const auto& [p, end] : layout.spans_at(v)) {
     const auto& span = layout.spans()[p];
     if (end)
-      sum += known[p] - layout.inside(span, dead);
+      sum += known[p] - layout.known().inside(span, dead);
     else
       sum -= known[p];
   }
@@ -72,7 +72,7 @@ TEST_CASE_TEMPLATE("in a tree the loads tell all section forces, and all nodes b
   auto s = tree<Space>();
   load(random, s);
   const Layout<Space> layout(s.net);
-  const auto known = layout.known_forces(layout.dead_forces());
+  const auto known = layout.known().known_forces(layout.known().dead_forces());
   for (const auto& span : layout.spans()) CHECK(span.open.cols() == 0);
   for (int v = 0; v < int(layout.network().nodes.size()); ++v) {
     CHECK(imbalance(layout, v, known).norm() < 1e-14);
@@ -80,9 +80,10 @@ TEST_CASE_TEMPLATE("in a tree the loads tell all section forces, and all nodes b
   }
   // at the clamp in mid-rod: all that acts on its two sides together
   Point<Space> carried = s.net.loads[0].force[2] + s.net.nodes[0].force;
-  const auto dead = layout.dead_forces();
+  const auto dead = layout.known().dead_forces();
   for (const auto& [p, end] : layout.spans_at(0))
-    carried += end ? Point<Space>(layout.inside(layout.spans()[p], dead) - known[p]) : known[p];
+    carried +=
+        end ? Point<Space>(layout.known().inside(layout.spans()[p], dead) - known[p]) : known[p];
   CHECK(distance(carried, total(s.net)) < 1e-14);
 }
 
@@ -93,7 +94,7 @@ TEST_CASE_TEMPLATE("of a cantilever they are what acts behind", Space, EACH_SPAC
     s.clamp(s.add(6), at_end ? 6 : 0);
     load(random, s);
     const Layout<Space> layout(s.net);
-    const auto known = layout.known_forces(layout.dead_forces());
+    const auto known = layout.known().known_forces(layout.known().dead_forces());
     REQUIRE(known.size() == 1);
     const auto& F = s.net.loads[0].force;
     const Point<Space> expected = at_end ? Point<Space>(-F[0]) : s.net.loads[0].section_forces()[0];
@@ -109,7 +110,7 @@ TEST_CASE_TEMPLATE("a roller tells the component along its way, and no other", S
     const int roller = s.roller(0, 6, i);
     load(random, s);
     const Layout<Space> layout(s.net);
-    const auto known = layout.known_forces(layout.dead_forces());
+    const auto known = layout.known().known_forces(layout.known().dead_forces());
     Point<Space> expected = Point<Space>::Zero();
     expected[i] = s.net.nodes[roller].force[i];
     for (int j = 1; j <= 6; ++j) expected[i] += s.net.loads[0].force[j][i];
@@ -134,7 +135,7 @@ TEST_CASE_TEMPLATE("a roller across the axes: what is open and what is told fill
   CHECK((way.transpose() * open).norm() < 1e-15 * layout.unit_force(0));
   const Dense gram = open.transpose() * open / std::pow(layout.unit_force(0), 2);
   CHECK(distance(gram, Dense::Identity(d - 1, d - 1)) < 1e-14);
-  const auto known = layout.known_forces(layout.dead_forces());
+  const auto known = layout.known().known_forces(layout.known().dead_forces());
   CHECK(imbalance(layout, roller, known).norm() < 1e-15);
   CHECK((open.transpose() * known[0]).norm() < 1e-14 * layout.unit_force(0));
 }
@@ -145,14 +146,14 @@ TEST_CASE_TEMPLATE("known forces are linear in the loads", Space, EACH_SPACE) {
   s.roller(3, 6, 0);
   load(random, s);
   const Layout<Space> layout(s.net);
-  auto a = layout.dead_forces(), b = a, both = a;
+  auto a = layout.known().dead_forces(), b = a, both = a;
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < a[i].size(); ++j) {
       b[i][j] = random.vector<Space::dim>();
       both[i][j] = 2 * a[i][j] + b[i][j];
     }
-  const auto fa = layout.known_forces(a), fb = layout.known_forces(b, 0),
-             sum = layout.known_forces(both, 2);
+  const auto fa = layout.known().known_forces(a), fb = layout.known().known_forces(b, 0),
+             sum = layout.known().known_forces(both, 2);
   double size = 0;
   for (std::size_t p = 0; p < fa.size(); ++p) {
     CHECK(distance(sum[p], Point<Space>(2 * fa[p] + fb[p])) < 1e-14);
@@ -167,7 +168,7 @@ TEST_CASE_TEMPLATE("what nothing holds is refused, unless the loads balance", Sp
   CHECK_REFUSED("supports: nothing holds the rods against the force (", Layout<Space>(s.net));
   s.net.nodes[0].force = -total(s.net);
   const Layout<Space> balanced(s.net);
-  const auto known = balanced.known_forces(balanced.dead_forces());
+  const auto known = balanced.known().known_forces(balanced.known().dead_forces());
   for (int v = 0; v < int(balanced.network().nodes.size()); ++v)
     CHECK(imbalance(balanced, v, known).norm() < 1e-14);
   s.spring(1, 2, 1, 0);  // a spring holds in all directions

@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("gradient and tangent of spans of any length", Space, EACH_SP
       here.hessian.multiply(δ, change);
       if constexpr (Space::spin == 3)
         for (int e = 0; e < layout.edges(); ++e) {  // none at an equilibrium
-          const int r = statics.first_row(e);
+          const int r = layout.frame_row(e);
           const Vec3 g = here.gradient.template segment<3>(r), φ = δ.segment<3>(r);
           change.segment<3>(r) += g.cross(φ) / 2;
         }
@@ -164,4 +164,52 @@ TEST_CASE_TEMPLATE("iterations behind the first allocate nothing", Space, EACH_S
   CHECK(result.converged());
   REQUIRE(counts.size() > 3);
   CHECK(counts.back() == counts.front());
+}
+
+TEST_CASE_TEMPLATE("what a solve finds does not depend on the networks before it", Space,
+                   EACH_SPACE) {
+  using P = NetworkProblem<Space>;
+  auto& pool = Pool<SaddleWorkspace<LinearisationOf<P>, typename P::State>>::of_this_thread();
+  Random random(6);
+  const auto first = held<Space>(random, 20, 1).net, like = held<Space>(random, 20, 1).net,
+             other = held<Space>(random, 20, 0).net;
+  const auto solve = [&](const Network<Space>& net) {
+    const Layout<Space> layout(net);
+    const P statics(layout);
+    return SaddleNewton<P>(statics).solve(Start<Space>(layout).state());
+  };
+  pool.clear();
+  const auto fresh = solve(first);
+  CHECK(fresh.converged());
+  CHECK(pool.size() == 1);
+  solve(like);
+  CHECK(pool.size() == 1);
+  solve(other);
+  CHECK(pool.size() == 2);
+  const auto again = solve(first);
+  CHECK(pool.size() == 2);
+  CHECK(again.iterations() == fresh.iterations());
+  CHECK(again.residual == fresh.residual);
+  CHECK(distance(again.state.frames, fresh.state.frames) == 0);
+}
+
+TEST_CASE_TEMPLATE("storage of another network fits if blocks and multipliers are the same", Space,
+                   EACH_SPACE) {
+  Random random(7);
+  const auto layout_of = [&](int edges, int free) {
+    return Layout<Space>(held<Space>(random, edges, free).net);
+  };
+  const auto one = layout_of(9, 0), two = layout_of(9, 0), longer = layout_of(10, 0),
+             freer = layout_of(9, 1);
+  const NetworkProblem<Space> of_one(one), of_two(two), of_longer(longer), of_freer(freer);
+  const SaddleWorkspace<LinearisationOf<NetworkProblem<Space>>, NetworkState<Space>> kept(of_one);
+  CHECK(kept.fits(of_one));
+  CHECK(kept.fits(of_two));
+  CHECK(!kept.fits(of_longer));
+  CHECK(!kept.fits(of_freer));
+  // the same pattern, where a row that was no multiplier's is one
+  Vector weights = of_one.stiffness();
+  CHECK(kept.factor.multipliers().are(weights));
+  weights[0] = 0;
+  CHECK(!kept.factor.multipliers().are(weights));
 }

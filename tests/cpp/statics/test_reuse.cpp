@@ -13,7 +13,7 @@ using namespace pyrod::test;
 namespace {
 
 template <class Case>
-using ProblemOf = CantileverProblem<typename Case::Space, typename Case::Model>;
+using ProblemOf = CantileverProblem<typename Case::Space>;
 
 template <class Case>
 auto pool_of() -> auto& {
@@ -30,7 +30,8 @@ struct Setting {
   std::vector<typename Space::Rotation> start;
 
   Setting(Random& random, int n)
-      : rod(random.rod<Space>(n)), problem(rod, Space::Rotation::Identity(), loads(random)) {
+      : rod(in_model(random.rod<Space>(n), Case::Model::kind)),
+        problem(rod, Space::Rotation::Identity(), loads(random)) {
     start = rod.at_rest(Point<Space>::Zero(), Space::Rotation::Identity()).frames;
   }
   Loads<Space> loads(Random& random) const {

@@ -16,8 +16,8 @@ template <class Case, Curvature kind = Curvature::exact>
 auto term(const typename Case::Space::Rotation& frame, const Point<typename Case::Space>& n,
           const Point<typename Case::Space>& stiffness, double h) {
   using Space = typename Case::Space;
-  using Model = typename Case::Model;
-  return section_force_term<kind, Space, Model>(frame, n, Compliance<Space, Model>(stiffness), h);
+  return edge_term<kind, Space, double>(frame, n, compliance(in<typename Case::Model>(stiffness)),
+                                        h);
 }
 
 }  // namespace
@@ -36,7 +36,8 @@ TEST_CASE_TEMPLATE("an edge under its section force, against differences", Case,
                      jet.hessian * φ + spin_skew(jet.gradient) * φ / 2);
     const Point<Space> b = unrotate(frame, n);
     const double expected =
-        -0.7 * (b.dot(axis<Space>()) + b.dot(Compliance<Space, typename Case::Model>(C) * b) / 2);
+        -0.7 *
+        (b.dot(axis<Space>()) + b.dot(compliance(in<typename Case::Model>(C)).cwiseProduct(b)) / 2);
     CHECK(jet.energy == doctest::Approx(expected).epsilon(1e-14));
   }
 }

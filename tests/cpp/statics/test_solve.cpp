@@ -31,13 +31,6 @@ Placement<Spatial> any_clamp() {
   return {random.vector<3>(), random.rotation<Spatial>()};
 }
 
-template <class Model>
-constexpr ModelKind kind = ModelKind::inextensible;
-template <>
-constexpr ModelKind kind<Cosserat> = ModelKind::cosserat;
-template <>
-constexpr ModelKind kind<ExtensibleKirchhoff> = ModelKind::extensible;
-
 }  // namespace
 
 TEST_CASE_TEMPLATE("a planar solution is put where the clamp is", Model, Cosserat,
@@ -46,7 +39,7 @@ TEST_CASE_TEMPLATE("a planar solution is put where the clamp is", Model, Cossera
   const auto flat = rich_scene<Planar>(n);
   const auto space = in_space(flat, clamp);
   const auto expected = solved<Planar, Model>(flat);
-  const auto found = solved(space.rod, Dimension::planar, kind<Model>, clamp, space.loads);
+  const auto found = solved(space.rod, Dimension::planar, Model::kind, clamp, space.loads);
   REQUIRE(found.status == Status::converged);
   CHECK(found.index == expected.index);
   CHECK(found.record.size() == expected.record.size());
@@ -75,8 +68,8 @@ TEST_CASE_TEMPLATE("what happens in a plane is the same in space", Model, Cosser
                    ExtensibleKirchhoff, InextensibleKirchhoff) {
   const Placement<Spatial> clamp = any_clamp();
   const auto scene = in_space(rich_scene<Planar>(n), clamp);
-  const auto plane = solved(scene.rod, Dimension::planar, kind<Model>, clamp, scene.loads);
-  const auto space = solved(scene.rod, Dimension::spatial, kind<Model>, clamp, scene.loads);
+  const auto plane = solved(scene.rod, Dimension::planar, Model::kind, clamp, scene.loads);
+  const auto space = solved(scene.rod, Dimension::spatial, Model::kind, clamp, scene.loads);
   REQUIRE(space.status == Status::converged);
   CHECK(distance(space.curve.positions, plane.curve.positions) < 1e-12);
   CHECK(distance(space.moment, plane.moment) < 1e-11);

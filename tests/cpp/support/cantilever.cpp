@@ -7,33 +7,28 @@ namespace pyrod::test {
 
 namespace {
 
-template <class Space, class Model>
-Cantilever<Space, Model> cantilever(const Scene<Space>& scene) {
+template <class Space>
+Cantilever<Space> cantilever(const Scene<Space>& scene) {
   return {scene.rod, scene.r0, scene.q0, scene.loads};
 }
 
 }  // namespace
 
-template <class Space, class Model>
+template <class Space>
 Solution<Space> solved(const Scene<Space>& scene, const Options& options, const Trace& trace) {
-  return cantilever<Space, Model>(scene).solve(options, trace);
+  return cantilever<Space>(scene).solve(options, trace);
 }
 
-template <class Space, class Model>
+template <class Space>
 Solution<Space> solved(const Scene<Space>& scene, std::vector<typename Space::Rotation> frames) {
-  return cantilever<Space, Model>(scene).solve(std::move(frames));
+  return cantilever<Space>(scene).solve(std::move(frames));
 }
 
-#define INSTANTIATE(Space, Model)                                                    \
-  template Solution<Space> solved<Space, Model>(const Scene<Space>&, const Options&, \
-                                                const Trace&);                       \
-  template Solution<Space> solved<Space, Model>(const Scene<Space>&, std::vector<Space::Rotation>);
-INSTANTIATE(Planar, Cosserat)
-INSTANTIATE(Planar, ExtensibleKirchhoff)
-INSTANTIATE(Planar, InextensibleKirchhoff)
-INSTANTIATE(Spatial, Cosserat)
-INSTANTIATE(Spatial, ExtensibleKirchhoff)
-INSTANTIATE(Spatial, InextensibleKirchhoff)
+#define INSTANTIATE(Space)                                                                   \
+  template Solution<Space> solved<Space>(const Scene<Space>&, const Options&, const Trace&); \
+  template Solution<Space> solved<Space>(const Scene<Space>&, std::vector<Space::Rotation>);
+INSTANTIATE(Planar)
+INSTANTIATE(Spatial)
 #undef INSTANTIATE
 
 Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,

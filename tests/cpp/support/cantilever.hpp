@@ -4,6 +4,8 @@
 
 #include <pyrod/statics/solve.hpp>
 
+#include "support/models.hpp"
+
 namespace pyrod::test {
 
 template <class Space>
@@ -21,13 +23,20 @@ Scene<Space> uniform_scene(int edges, const Spin<Space>& bending, const Point<Sp
   return {Rod<Space>::uniform(Grid::uniform(length, edges), bending, stretching, K0)};
 }
 
-template <class Space, class Model>
+template <class Space>
 Solution<Space> solved(const Scene<Space>& scene, const Options& options = {},
                        const Trace& trace = {});
 
 /// From given frames.
-template <class Space, class Model>
+template <class Space>
 Solution<Space> solved(const Scene<Space>& scene, std::vector<typename Space::Rotation> frames);
+
+/// With rigid what the model excludes.
+template <class Space, class Model, class... More>
+Solution<Space> solved(Scene<Space> scene, More&&... more) {
+  scene.rod = in_model(std::move(scene.rod), Model::kind);
+  return solved<Space>(scene, std::forward<More>(more)...);
+}
 
 /// pyrod::solve
 Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,

@@ -2,6 +2,8 @@
 /// \file Sparse matrices for tests.
 #pragma once
 
+#include <pyrod/sparse/block_pattern.hpp>
+
 #include "support/dense.hpp"
 #include "support/random.hpp"
 
@@ -35,6 +37,15 @@ inline Dense random_skew(Random& random, int size) {
 inline Dense random_positive(Random& random, int size) {
   const Dense A = random_dense(random, size);
   return A * A.transpose() + Dense::Identity(size, size);
+}
+
+/// Of blocks of these sizes, each coupled to those of its list.
+inline BlockPattern pattern_of(const std::vector<int>& sizes,
+                               const std::vector<std::vector<int>>& above) {
+  std::vector<std::pair<int, int>> couplings;
+  for (std::size_t J = 0; J < sizes.size(); ++J)
+    for (const int I : above[J]) couplings.emplace_back(I, int(J));
+  return {sizes, couplings};
 }
 
 template <int B>

@@ -11,8 +11,7 @@
 
 namespace pyrod {
 
-/// The first `count` of a list of vectors with N components. A pack that reaches beyond the last of
-/// them repeats it.
+/// A list of vectors with N components. A pack that reaches beyond the last of them repeats it.
 template <int N>
 class Columns {
  public:
@@ -20,11 +19,25 @@ class Columns {
 
   /// item(j): vector number j.
   template <class Item>
-  Columns(int count, const Item& item) : stride_(count + widest - 1), values_(N * stride_) {
+  Columns(int count, const Item& item) {
+    assign(count, item);
+  }
+
+  /// The same in storage that there is, if it is large enough.
+  template <class Item>
+  void assign(int count, const Item& item) {
+    stride_ = count + widest - 1;
+    values_.resize(std::size_t(N * stride_));
     for (int j = 0; j < stride_; ++j) {
       const Vec<N> v = item(std::min(j, count - 1));
       for (int i = 0; i < N; ++i) values_[i * stride_ + j] = v[i];
     }
+  }
+
+  Vec<N> operator[](int j) const {
+    Vec<N> out;
+    for (int i = 0; i < N; ++i) out[i] = values_[i * stride_ + j];
+    return out;
   }
 
   /// The vectors number j, j + 1, …

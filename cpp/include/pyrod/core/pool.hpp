@@ -9,8 +9,8 @@
 
 namespace pyrod {
 
-/// Idle objects of one type, each made for a shape, for the next user on the same thread that asks
-/// for the same shape. T says by `bytes()` what it holds.
+/// Idle objects of one type, for the next user on the same thread whom one of them fits. T says by
+/// `bytes()` what it holds.
 template <class T>
 class Pool {
  public:
@@ -21,12 +21,12 @@ class Pool {
     return pool;
   }
 
-  /// One that is idle, or else what `make` returns.
-  template <class Make>
-  std::unique_ptr<T> take(int shape, const Make& make) {
+  /// The one that was given back last of those that fit, or else what `make` returns.
+  template <class Fits, class Make>
+  std::unique_ptr<T> take(const Fits& fits, const Make& make) {
     for (auto item = idle_.rbegin(); item != idle_.rend(); ++item) {
-      if (item->first != shape) continue;
-      std::unique_ptr<T> found = std::move(item->second);
+      if (!fits(std::as_const(**item))) continue;
+      std::unique_ptr<T> found = std::move(*item);
       idle_.erase(std::next(item).base());
       return found;
     }
@@ -34,16 +34,16 @@ class Pool {
   }
 
   /// Keeps it, unless it is too large; those that have been idle longest give way.
-  void give_back(int shape, std::unique_ptr<T> object) {
+  void give_back(std::unique_ptr<T> object) {
     if (object->bytes() > most_bytes) return;
-    idle_.emplace_back(shape, std::move(object));
+    idle_.push_back(std::move(object));
     while (idle_.size() > most_objects || bytes() > most_bytes) idle_.erase(idle_.begin());
   }
 
   std::size_t size() const { return idle_.size(); }
   std::size_t bytes() const {
     std::size_t sum = 0;
-    for (const auto& item : idle_) sum += item.second->bytes();
+    for (const auto& item : idle_) sum += item->bytes();
     return sum;
   }
   void clear() { idle_.clear(); }
@@ -51,7 +51,7 @@ class Pool {
  private:
   Pool() { idle_.reserve(most_objects + 1); }
 
-  std::vector<std::pair<int, std::unique_ptr<T>>> idle_;  // the one used last is at the end
+  std::vector<std::unique_ptr<T>> idle_;  // the one used last is at the end
 };
 
 }  // namespace pyrod

@@ -9,7 +9,7 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/bend_twist.hpp>
-#include <pyrod/rod/rod.hpp>
+#include <pyrod/rod/model.hpp>
 #include <pyrod/rod/stretch_shear.hpp>
 #include <pyrod/rotation/space.hpp>
 
@@ -47,7 +47,7 @@ void add_symmetric(std::vector<Eigen::Triplet<double>>& entries, int row, int co
 
 }  // namespace detail
 
-template <class Space, class Model>
+template <class Space>
 EnergyJet energy(const Rod<Space>& rod, const CosseratCurve<Space>& curve, HeldEnds held = {}) {
   constexpr int dim = Space::dim, spin = Space::spin, station = dim + spin;
   const int n = rod.edges(), size = station * n + dim;
@@ -58,7 +58,7 @@ EnergyJet energy(const Rod<Space>& rod, const CosseratCurve<Space>& curve, HeldE
   for (int j = 0; j < n; ++j) {  // edges: r_j, q_{j+1/2}, r_{j+1} follow each other
     const auto jet =
         stretch_shear<Space>(curve.positions[j], curve.positions[j + 1], curve.frames[j],
-                             storing_stiffness<Space, Model>(rod.stretching[j]), rod.grid.h(j));
+                             storing_stiffness(rod.stretching[j]), rod.grid.h(j));
     out.stretch_shear += jet.energy;
     out.gradient.template segment<jet.size>(station * j) += jet.gradient;
     detail::add_symmetric(entries, station * j, station * j, jet.hessian);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <pyrod/core/types.hpp>
-#include <pyrod/rod/model.hpp>
 #include <pyrod/rotation/space.hpp>
 
 #include <cmath>
@@ -20,18 +19,7 @@ struct EdgeEnergyJet {
   Mat<size> hessian;
 };
 
-/// The stiffness C that stores energy in the model: a strain that it constrains, or that an
-/// infinite stiffness forbids, stores none.
-template <class Space, class Model>
-Point<Space> storing_stiffness(const Point<Space>& stiffness) {
-  constexpr int components = Compliance<Space, Model>::components;
-  Point<Space> C = Point<Space>::Zero();
-  C.template tail<components>() = stiffness.template tail<components>().unaryExpr(
-      [](double c) { return std::isfinite(c) ? c : 0; });
-  return C;
-}
-
-/// `C` = (GA1, GA2, EA) or (GA1, EA).
+/// `C` = (GA1, GA2, EA) or (GA1, EA), where it stores energy.
 template <class Space>
 EdgeEnergyJet<Space> stretch_shear(const Point<Space>& r_a, const Point<Space>& r_b,
                                    const typename Space::Rotation& frame, const Point<Space>& C,

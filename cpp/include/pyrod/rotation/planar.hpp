@@ -34,12 +34,14 @@ Vec<1, Real> log(const AngleOf<Real>& a) {
   return Vec<1, Real>(a.radians);
 }
 
-inline Mat<2> matrix(Angle a) {
-  const double c = std::cos(a.radians), s = std::sin(a.radians);
-  Mat<2> R;
+template <class Real>
+Mat<2, 2, Real> matrix(const AngleOf<Real>& a) {
+  const auto [s, c] = sine_cosine(a.radians);
+  Mat<2, 2, Real> R;
   R << c, s, -s, c;
   return R;
 }
+inline Mat<2> matrix(Angle a) { return matrix<double>(a); }
 
 /// R v.
 template <class Real>

@@ -60,7 +60,11 @@ inline Quaternion principal(const Quaternion& p) {
 inline bool is_principal(const Quaternion& p) { return p.w() > -5e-7; }
 
 /// R itself, with the directors a1, a2, a3 as columns.
-inline Mat3 matrix(const Quaternion& q) { return q.toRotationMatrix(); }
+template <class Real>
+Mat<3, 3, Real> matrix(const QuaternionOf<Real>& q) {
+  return q.toRotationMatrix();
+}
+inline Mat3 matrix(const Quaternion& q) { return matrix<double>(q); }
 
 /// R v: from the frame's components to space.
 inline Vec3 rotate(const Quaternion& q, const Vec3& v) {

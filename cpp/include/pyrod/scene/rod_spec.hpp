@@ -6,6 +6,7 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/curve/framing.hpp>
 #include <pyrod/rod/jump.hpp>
+#include <pyrod/rod/model.hpp>
 #include <pyrod/rod/section.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/spatial.hpp>

@@ -24,6 +24,18 @@ class Multipliers {
     }
   }
 
+  /// Whether they are those whose weight is zero.
+  bool are(const Vector& weights) const {
+    std::size_t found = 0;
+    for (int k = 0; k < weights.size(); ++k) {
+      if (weights[k] != 0) continue;
+      if (found == rows_.size() || rows_[found++] != k) return false;
+    }
+    return found == rows_.size();
+  }
+  /// The same rows in other units.
+  void renew(const Vector& units) { units_ = units; }
+
   int count() const { return int(rows_.size()); }
   const std::vector<int>& rows() const { return rows_; }
 

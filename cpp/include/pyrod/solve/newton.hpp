@@ -202,7 +202,7 @@ class Newton {
   const P& problem_;
   Options options_;
   Trace trace_;
-  LeasedWorkspace<P> workspace_;
+  Leased<P, Workspace<LinearisationOf<P>, State>> workspace_;
   LinearisationOf<P>& here_;
   Cholesky& factor_;
   Vector &δ_, &trial_;

@@ -10,6 +10,8 @@
 #include <pyrod/solve/anchor.hpp>
 #include <pyrod/solve/mode.hpp>
 #include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/saddle_tests.hpp>
+#include <pyrod/solve/saddle_workspace.hpp>
 
 #include <optional>
 
@@ -28,17 +30,19 @@ class SaddleNewton {
         options_(options),
         trace_(std::move(trace)),
         weights_(problem.weights()),
-        units_(problem.units()),
         softness_(problem.softness()),
-        here_(problem.linearisation()),
-        factor_(here_.hessian, problem.stiffness(), units_),
+        workspace_(problem),
+        here_((*workspace_).here),
+        factor_((*workspace_).factor),
         multipliers_(factor_.multipliers()),
-        δ_(Vector::Zero(here_.gradient.size())),
-        primal_(δ_),
-        dual_(δ_),
-        trial_(δ_),
-        sizes_(Vector::Ones(δ_.size())),
-        rounding_(δ_) {
+        tests_(problem, multipliers_),
+        from_((*workspace_).from),
+        δ_((*workspace_).δ),
+        primal_((*workspace_).primal),
+        dual_((*workspace_).dual),
+        trial_((*workspace_).trial),
+        sizes_((*workspace_).sizes),
+        rounding_((*workspace_).rounding) {
     options_.check();
   }
   SaddleNewton(const SaddleNewton&) = delete;
@@ -138,7 +142,8 @@ class SaddleNewton {
       if (!find_step(now)) return Status::not_finite;
       const bool exact = curvature_ == Curvature::exact;
       const bool tiny = exact && !has_shift(now) && !anchor_.holds() &&
-                        now.step <= options_.tolerance && met() && settled(now) && accurate();
+                        now.step <= options_.tolerance && met() && settled(now) &&
+                        tests_.accurate(here_, x_, δ_, rounding_here(), trial_);
       // where a mode is soft, steps still improve on a residual that could be rounding
       const bool at_rounding = exact && rounded();
       const bool last = tiny || (at_rounding && now.step > before / 2);
@@ -147,7 +152,8 @@ class SaddleNewton {
       if (now.fraction == 1) anchor_.weaken(now.step);
       result.record.push_back(now);
       const bool go_on = !trace_ || trace_(now);
-      if (last && (closed() || reopened++ == 2)) return Status::converged;
+      if (last && (tests_.closed(here_.gradient, rounding_here()) || reopened++ == 2))
+        return Status::converged;
       if (!found) return Status::stalled;
       if (!std::isfinite(here_.energy)) return Status::not_finite;
       if (!go_on) return Status::interrupted;
@@ -163,7 +169,7 @@ class SaddleNewton {
     now.shift = 0;
     const bool potential = problem_.conservative();
     if (std::isfinite(now.step) && curvature_ == Curvature::exact &&
-        (!potential || falls_short(now)))
+        (!potential || falls_short(now.step <= options_.tolerance)))
       correct_step(now);
     if (std::isfinite(now.step) && (!potential || !minimum_ || factor_.index() == 0 ||
                                     now.step <= options_.tolerance || rounded()))
@@ -176,16 +182,11 @@ class SaddleNewton {
     return false;
   }
 
-  /// Whether gaps that a step leaves open, as multipliers give more than they should, are felt.
-  bool falls_short(const Iteration& now) {
-    const bool last = now.step <= options_.tolerance;
-    for (const int k : multipliers_.rows())
-      if (std::abs(factor_.left(δ_, k)) > (last ? 0.1 * rounding_here()[k] : 1e-4 * units_[k]))
-        return true;
-    return false;
+  bool falls_short(bool last) {
+    return tests_.falls_short(factor_, δ_, last ? &rounding_here() : nullptr);
   }
 
-  /// The step that leaves none.
+  /// The step that leaves none of the gaps open.
   void correct_step(Iteration& now) {
     if (problem_.conservative())
       trial_ = -pull(), factor_.correct(trial_, δ_);
@@ -216,34 +217,11 @@ class SaddleNewton {
 
   const Vector& pull() { return anchor_.pull(here_.gradient, factor_.stiffness()); }
 
-  /// Whether the step does what the system asks of it. On the constraints by themselves, too: where
-  /// they cannot be met, the multipliers grow until beside them no gap counts.
-  bool accurate() {
-    Vector& left = trial_;
-    here_.hessian.multiply(δ_, left);
-    left += here_.gradient;
-    if (!problem_.conservative()) {
-      Vector skew(δ_.size());
-      problem_.multiply_skew(x_, δ_, skew);
-      left += skew;
-    }
-    const Vector& rounding = rounding_here();
-    const double all = 1e-2 * relative(here_.gradient),
-                 gaps = 1e-2 * multipliers_.largest(here_.gradient);
-    for (int k = 0; k < int(left.size()); ++k) {
-      const double bound = units_[k] * (weights_[k] == 0 ? std::min(all, gaps) : all);
-      if (!(std::abs(left[k]) <= bound + rounding[k])) return false;
-    }
-    return true;
-  }
+  bool rounded() { return tests_.rounded(here_.gradient, rounding_here()); }
 
-  /// Largest row in its unit.
-  double relative(const Vector& v) const {
-    return v.cwiseQuotient(units_).template lpNorm<Eigen::Infinity>();
+  bool settled(const Iteration& now) const {
+    return now.step <= 1e-3 * options_.tolerance || tests_.settled(δ_, sizes_);
   }
-
-  /// Whether every row of the gradient could be rounding.
-  bool rounded() { return (here_.gradient.array().abs() <= rounding_here().array()).all(); }
 
   const Vector& rounding_here() {
     if (!rounding_known_) problem_.rounding(x_, rounding_);
@@ -251,49 +229,13 @@ class SaddleNewton {
     return rounding_;
   }
 
-  /// The multipliers are not about to change much, or nothing turns.
-  bool settled(const Iteration& now) const {
-    if (now.step <= 1e-3 * options_.tolerance) return true;
-    for (const int k : multipliers_.rows())
-      if (!(std::abs(δ_[k]) <= 1e-3 * sizes_[k])) return false;
-    return true;
-  }
-
-  /// No gap is left after the last step but rounding.
-  bool closed() {
-    const Vector& rounding = rounding_here();
-    for (const int k : multipliers_.rows())
-      if (!(std::abs(here_.gradient[k]) <= 1e-13 * units_[k] + 8 * rounding[k])) return false;
-    return true;
-  }
-
-  /// The augmented Lagrangian along the step, with multipliers that are new already: its value and
-  /// slope at the start, and the weight ν of the constraints that makes the slope negative.
-  struct Merit {
-    double value, slope, ν;
-  };
-
-  Merit merit() {
-    Vector& change = trial_;  // of the gradient, by the multipliers
-    multipliers_.copy(δ_, dual_);
-    multipliers_.multiply(here_.hessian, dual_, change);
-    double value = here_.energy, gap = 0;
-    for (const int k : multipliers_.rows()) {
-      const double g = here_.gradient[k];
-      value += δ_[k] * (g + change[k] / 2);
-      gap += (g + change[k]) * (g + change[k]) / units_[k];
-    }
-    const double slope = here_.gradient.dot(primal_) + change.dot(primal_);
-    const double ν = std::max(10., gap > 0 ? 2 * slope / gap : 0.);
-    return {value + ν / 2 * gap, slope - ν * gap, ν};
-  }
-
   /// The constraints hold so well that the multipliers are not about to change much.
   bool met() const { return multipliers_.largest(here_.gradient) <= 1e-6; }
   double gap() const { return multipliers_.squared_norm(here_.gradient); }
 
   bool search(Iteration& now, bool tiny) {
-    const Merit before = downhill() && !tiny ? merit() : Merit{0, 0, 0};
+    const Merit before =
+        downhill() && !tiny ? tests_.merit(here_, δ_, primal_, dual_, trial_) : Merit{0, 0, 0};
     const double magnitude = here_.magnitude;
     const double length = primal_.norm();
     anchor_.leave();
@@ -339,14 +281,15 @@ class SaddleNewton {
   bool minimum_;
   Options options_;
   Trace trace_;
-  Vector weights_, units_, softness_;
-  LinearisationOf<P> here_;
-  ShiftedFactor factor_;
+  decltype(std::declval<const P&>().weights()) weights_;
+  decltype(std::declval<const P&>().softness()) softness_;
+  Leased<P, SaddleWorkspace<LinearisationOf<P>, State>> workspace_;
+  LinearisationOf<P>& here_;
+  ShiftedFactor& factor_;
   const Multipliers& multipliers_;
-  State x_, from_;
-  Vector δ_, primal_, dual_;  ///< the step, without the multipliers, and of these alone
-  Vector trial_;
-  Vector sizes_, rounding_;  ///< of the multipliers; of the gradient
+  SaddleTests<P> tests_;
+  State x_, &from_;
+  Vector &δ_, &primal_, &dual_, &trial_, &sizes_, &rounding_;  ///< see `SaddleWorkspace`
   Anchor anchor_;
   bool rounding_known_ = false;
   Curvature curvature_ = Curvature::convex;

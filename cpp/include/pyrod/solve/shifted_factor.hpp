@@ -37,6 +37,13 @@ class ShiftedFactor {
   const Vector& stiffness() const { return stiffness_; }
   const Multipliers& multipliers() const { return multipliers_; }
 
+  /// Another matrix of the same pattern, with the same multipliers, is in the place of K.
+  void reuse(const Vector& stiffness, const Vector& units) {
+    stiffness_ = stiffness;
+    multipliers_.renew(units);
+    factorised_.reset();
+  }
+
   /// K has changed. `softness` over `sizes` is what multipliers give at the least.
   void renew(const Vector& softness, const Vector& sizes) {
     for (const int k : multipliers_.rows()) soft_[k] = -softness[k] / sizes[k];
@@ -84,6 +91,10 @@ class ShiftedFactor {
       for (const int k : multipliers_.rows()) out[k] -= soft_[k] * v[k];
     };
     SkewCorrected(factor_, difference, x.size()).correct(x);
+  }
+
+  std::size_t bytes() const {
+    return factor_.bytes() + std::size_t(7 * stiffness_.size()) * sizeof(double);
   }
 
   /// Entries of the factor over those of the matrix: the fill.

@@ -13,11 +13,10 @@
 
 namespace pyrod {
 
-/// A problem whose storage depends on its `shape` alone: the patterns of two such problems of the
-/// same type of storage and the same shape are equal.
+/// A problem that knows whether storage that was made for another of its type has its pattern.
 template <class P>
-concept Shaped = requires(const P p) {
-  { p.shape() } -> std::convertible_to<int>;
+concept Shaped = requires(const P p, const LinearisationOf<P> made) {
+  { p.fits(made) } -> std::convertible_to<bool>;
 };
 
 /// The factor keeps a pointer to the matrix: not to be moved.
@@ -28,13 +27,21 @@ struct Workspace {
   Vector δ, trial;
   State from;
 
-  explicit Workspace(Storage storage)
-      : here(std::move(storage)),
+  template <class P>
+  explicit Workspace(const P& problem)
+      : here(problem.linearisation()),
         factor(here.hessian),
         δ(here.gradient.size()),
         trial(here.gradient.size()) {}
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
+
+  template <class P>
+  bool fits(const P& problem) const {
+    return problem.fits(here);
+  }
+  template <class P>
+  void renew(const P&) {}
 
   std::size_t bytes() const {
     const auto vectors = std::size_t(here.gradient.size() + δ.size() + trial.size());
@@ -45,30 +52,28 @@ struct Workspace {
 
 /// A workspace for the life of a solver. That of a shaped problem comes from the thread's pool,
 /// with its symbolic factor, and goes back there.
-template <class P>
-class LeasedWorkspace {
+template <class P, class Kept>
+class Leased {
  public:
-  using Kept = Workspace<LinearisationOf<P>, typename P::State>;
-
-  explicit LeasedWorkspace(const P& problem) {
-    const auto make = [&] { return std::make_unique<Kept>(problem.linearisation()); };
+  explicit Leased(const P& problem) {
+    const auto make = [&] { return std::make_unique<Kept>(problem); };
     if constexpr (Shaped<P>) {
-      shape_ = problem.shape();
-      kept_ = Pool<Kept>::of_this_thread().take(shape_, make);
+      const auto fits = [&](const Kept& idle) { return idle.fits(problem); };
+      kept_ = Pool<Kept>::of_this_thread().take(fits, make);
+      kept_->renew(problem);
     } else {
       kept_ = make();
     }
   }
-  LeasedWorkspace(const LeasedWorkspace&) = delete;
-  LeasedWorkspace& operator=(const LeasedWorkspace&) = delete;
-  ~LeasedWorkspace() {
-    if constexpr (Shaped<P>) Pool<Kept>::of_this_thread().give_back(shape_, std::move(kept_));
+  Leased(const Leased&) = delete;
+  Leased& operator=(const Leased&) = delete;
+  ~Leased() {
+    if constexpr (Shaped<P>) Pool<Kept>::of_this_thread().give_back(std::move(kept_));
   }
 
   Kept& operator*() { return *kept_; }
 
  private:
-  int shape_ = 0;
   std::unique_ptr<Kept> kept_;
 };
 

@@ -2,6 +2,7 @@
 /// \file Sparse symmetric matrices of small dense blocks, of any sizes, in any pattern.
 #pragma once
 
+#include <pyrod/sparse/block_pattern.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <algorithm>
@@ -11,24 +12,22 @@
 
 namespace pyrod {
 
-/// Blocks are numbered in the order of elimination. Above the diagonal, block column J has the
-/// block rows `above[J]`, each less than J; on the diagonal every block has its upper triangle.
+/// On the diagonal every block has its upper triangle.
 class BlockSymmetric : public SymmetricMatrix {
  public:
-  BlockSymmetric(std::vector<int> sizes, const std::vector<std::vector<int>>& above)
-      : sizes_(std::move(sizes)) {
-    first_.assign(1, 0);
-    for (const int size : sizes_) first_.push_back(first_.back() + size);
-    reserve(above);
-    for (std::size_t J = 0; J < sizes_.size(); ++J) {
-      const auto begin = above_.insert(above_.end(), above[J].begin(), above[J].end());
-      std::sort(begin, above_.end());
+  explicit BlockSymmetric(BlockPattern pattern) : pattern_(std::move(pattern)) {
+    const auto& [sizes, columns, above] = pattern_;
+    first_.reserve(sizes.size() + 1), places_.reserve(above.size());
+    first_.push_back(0);
+    for (const int size : sizes) first_.push_back(first_.back() + size);
+    reserve();
+    for (int J = 0; J < pattern_.blocks(); ++J) {
       int place = 0;
-      for (auto I = begin; I != above_.end(); ++I) places_.push_back(place), place += sizes_[*I];
-      ends_.push_back(int(above_.size()));
-      for (int k = 0; k < sizes_[J]; ++k) {
-        for (auto I = begin; I != above_.end(); ++I)
-          for (int i = 0; i < sizes_[*I]; ++i) rows.push_back(first_[*I] + i);
+      for (int b = columns[J]; b < columns[J + 1]; ++b)
+        places_.push_back(place), place += sizes[above[b]];
+      for (int k = 0; k < sizes[J]; ++k) {
+        for (int b = columns[J]; b < columns[J + 1]; ++b)
+          for (int i = 0; i < sizes[above[b]]; ++i) rows.push_back(first_[above[b]] + i);
         for (int i = 0; i <= k; ++i) rows.push_back(first_[J] + i);
         starts.push_back(int(rows.size()));
       }
@@ -36,19 +35,22 @@ class BlockSymmetric : public SymmetricMatrix {
     values.assign(rows.size(), 0);
   }
 
+  const BlockPattern& pattern() const { return pattern_; }
   /// Number of the first row of block J.
   int first(int J) const { return first_[J]; }
-  int size_of(int J) const { return sizes_[J]; }
+  int size_of(int J) const { return pattern_.sizes[J]; }
 
-  /// The columns of a block: column k has `above` entries over the diagonal block, and then k + 1.
-  struct Columns {
-    double* start;
-    int above;
-    double* operator[](int k) const { return start + k * above + k * (k + 1) / 2; }
-  };
   /// Of the block whose first row is `row`.
-  Columns columns(int row) {
+  BlockColumns columns(int row) {
     return {values.data() + starts[row], starts[row + 1] - starts[row] - 1};
+  }
+
+  /// Of so many blocks from this row on, each coupled to the one before it, and but for the first
+  /// and the last to none else above the diagonal.
+  template <int B>
+  ChainColumns<B> chain(int row, int blocks) {
+    return {blocks, columns(row), values.data() + starts[row + (blocks > 1 ? B : 0)],
+            columns(row + B * (blocks - 1))};
   }
 
   /// From this row, the first of its block, to the one before `end`.
@@ -60,41 +62,39 @@ class BlockSymmetric : public SymmetricMatrix {
   /// larger `block` only as much as fits is read, here and below.
   template <class Block>
   void add(int I, int J, const Block& block) {
-    const auto begin = above_.begin() + (J == 0 ? 0 : ends_[J - 1]);
-    const auto found = std::lower_bound(begin, above_.begin() + ends_[J], I);
-    const int place = places_[found - above_.begin()];
-    const Columns to = columns(first_[J]);
-    for (int k = 0; k < sizes_[J]; ++k)
-      for (int i = 0; i < sizes_[I]; ++i) to[k][place + i] += block(i, k);
+    const auto &above = pattern_.above, &columns_of = pattern_.starts;
+    const auto found =
+        std::lower_bound(above.begin() + columns_of[J], above.begin() + columns_of[J + 1], I);
+    const int place = places_[found - above.begin()];
+    const BlockColumns to = columns(first_[J]);
+    for (int k = 0; k < size_of(J); ++k)
+      for (int i = 0; i < size_of(I); ++i) to[k][place + i] += block(i, k);
   }
 
   /// Adds the upper triangle of a block on the diagonal.
   template <class Block>
   void add_diagonal(int J, const Block& block) {
-    const Columns to = columns(first_[J]);
-    for (int k = 0; k < sizes_[J]; ++k)
+    const BlockColumns to = columns(first_[J]);
+    for (int k = 0; k < size_of(J); ++k)
       for (int i = 0; i <= k; ++i) to[k][to.above + i] += block(i, k);
   }
 
  private:
-  void reserve(const std::vector<std::vector<int>>& above) {
-    std::size_t blocks = 0, entries = 0;
-    for (std::size_t J = 0; J < sizes_.size(); ++J) {
+  void reserve() {
+    const auto& [sizes, columns, above] = pattern_;
+    std::size_t entries = 0;
+    for (int J = 0; J < pattern_.blocks(); ++J) {
       int height = 0;
-      for (const int I : above[J]) height += sizes_[I];
-      blocks += above[J].size();
-      entries += std::size_t(sizes_[J]) * std::size_t(2 * height + sizes_[J] + 1) / 2;
+      for (int b = columns[J]; b < columns[J + 1]; ++b) height += sizes[above[b]];
+      entries += std::size_t(sizes[J]) * std::size_t(2 * height + sizes[J] + 1) / 2;
     }
     starts.reserve(std::size_t(first_.back()) + 1);
     rows.reserve(entries);
-    above_.reserve(blocks);
-    places_.reserve(blocks);
-    ends_.reserve(sizes_.size());
   }
 
-  std::vector<int> sizes_, first_;
-  std::vector<int> above_, places_;  ///< block rows, column by column, and rows before each
-  std::vector<int> ends_;            ///< of the columns in these
+  BlockPattern pattern_;
+  std::vector<int> first_;   ///< rows of the blocks
+  std::vector<int> places_;  ///< for each block above the diagonal: rows before it in its column
 };
 
 }  // namespace pyrod

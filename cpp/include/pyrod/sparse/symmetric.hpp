@@ -4,6 +4,7 @@
 
 #include <pyrod/core/pack.hpp>
 #include <pyrod/core/types.hpp>
+#include <pyrod/sparse/chain_columns.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -68,31 +69,14 @@ class BlockTridiagonal : public SymmetricMatrix {
     values.assign(rows.size(), 0);
   }
 
-  /// Writes the block columns first … first + count − 1, one in each lane: the block above the
-  /// diagonal (none for column 0) and the diagonal block, of which the upper triangle is read.
-  template <int W>
-  void set_columns(int first, int count, const Mat<B, B, Pack<W>>& above,
-                   const Mat<B, B, Pack<W>>& diagonal) {
-    alignas(Pack<W>) double entries[step_][W];
-    int e = 0;
-    for (int k = 0; k < B; ++k) {
-      for (int i = 0; i < B; ++i) above(i, k).store(entries[e++]);
-      for (int i = 0; i <= k; ++i) diagonal(i, k).store(entries[e++]);
-    }
-    for (int lane = 0; lane < count; ++lane) {
-      double* value = column(first + lane);
-      if (first + lane == 0) {
-        for (int k = 0; k < B; ++k)
-          for (int i = 0; i <= k; ++i) *value++ = diagonal(i, k).values[0];
-      } else {
-        for (int i = 0; i < step_; ++i) value[i] = entries[i][lane];
-      }
-    }
+  /// Where its blocks are.
+  ChainColumns<B> chain() {
+    const int blocks = size() / B;
+    const auto column = [this](int j) { return values.data() + starts[B * j]; };
+    return {blocks, {column(0), 0}, column(blocks > 1), {column(blocks - 1), blocks > 1 ? B : 0}};
   }
 
  private:
-  double* column(int j) { return values.data() + (j == 0 ? 0 : first_ + (j - 1) * step_); }
-
   static constexpr std::ptrdiff_t first_ = B * (B + 1) / 2, step_ = first_ + B * B;
 };
 

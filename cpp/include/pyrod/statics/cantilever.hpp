@@ -23,7 +23,7 @@ struct Solution : RodSolution<Space> {
 /// A rod whose start is held in position and frame, under dead loads: what follows the rod, and
 /// more supports, take a network (`held`). The equilibrium found may be a saddle, as its index
 /// tells.
-template <class Space, class Model>
+template <class Space>
 class Cantilever {
  public:
   using Rotation = typename Space::Rotation;
@@ -76,8 +76,8 @@ class Cantilever {
     out.residual = found.residual;
     out.load_steps = found.load_steps;
     out.record = std::move(found.record);
-    static_cast<RodSolution<Space>&>(out) = CantileverShape<Space, Model>(rod_, loads_, stride)
-                                                .solution(r0_, q0_, std::move(found.state));
+    static_cast<RodSolution<Space>&>(out) =
+        CantileverShape<Space>(rod_, loads_, stride).solution(r0_, q0_, std::move(found.state));
     return out;
   }
 
@@ -104,7 +104,7 @@ class Cantilever {
   }
 
  private:
-  using Problem = CantileverProblem<Space, Model>;
+  using Problem = CantileverProblem<Space>;
 
   Found bring_on_forces(Problem& problem, const std::vector<Iteration>& before,
                         const Options& options, const Trace& trace) const {

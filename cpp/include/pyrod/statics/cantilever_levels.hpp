@@ -18,7 +18,7 @@ struct LoadedRod {
 };
 
 /// Keeps what small levels need, so that a second climb makes none of it again.
-template <class Space, class Model>
+template <class Space>
 class CantileverLevels {
  public:
   using Rotation = typename Space::Rotation;
@@ -47,7 +47,7 @@ class CantileverLevels {
   }
 
  private:
-  using Scene = Cantilever<Space, Model>;
+  using Scene = Cantilever<Space>;
 
   /// Frames to start from. Those that were given go along on every level, in case all below fail.
   void begin(int level, bool from_below, const Frames& start) {

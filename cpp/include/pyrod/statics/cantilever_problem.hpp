@@ -3,18 +3,18 @@
 /// solver.
 ///
 /// The loads give the section force on every edge, so the unknowns are the frames of the edges and
-/// nothing else: one number per edge in the plane and three in space, for all three models. What is
+/// nothing else: one number per edge in the plane and three in space, for all models. What is
 /// minimised is W_bt − Σ h (b·e3 + ½ b·S b), b = Rᵀn (docs/theory.md, "Unknowns").
 #pragma once
 
-#include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/unit.hpp>
+#include <pyrod/solve/problem.hpp>
 #include <pyrod/statics/chain.hpp>
 #include <pyrod/statics/loads.hpp>
 
 namespace pyrod {
 
-template <class Space, class Model>
+template <class Space>
 class CantileverProblem {
  public:
   using Rotation = typename Space::Rotation;
@@ -23,7 +23,8 @@ class CantileverProblem {
   using Storage = Linearisation<BlockTridiagonal<spin>>;
 
   CantileverProblem(const Rod<Space>& rod, const Rotation& clamp, const Loads<Space>& loads)
-      : chain_(chain(rod, clamp, loads)) {
+      : clamp_(clamp), columns_(edge_columns(rod)), edges_(rod.edges()) {
+    set_forces(loads.section_forces());
     if (loads.has_couples()) {
       couple_ = loads.couple;
       couple_.back() += loads.end_couple;
@@ -32,14 +33,13 @@ class CantileverProblem {
 
   /// Replaces the section forces; the couples stay.
   void set_forces(const std::vector<Point<Space>>& n) {
-    chain_.force = column<dim>(chain_.edges, n);
+    forces_.assign(edges_, [&](int j) { return n[j]; });
   }
 
-  int shape() const { return chain_.edges; }
+  bool fits(const Storage& made) const { return made.gradient.size() == spin * edges_; }
 
   Storage linearisation() const {
-    const int n = chain_.edges;
-    return {0, 0, Vector::Zero(spin * n), BlockTridiagonal<spin>(n)};
+    return {0, 0, Vector::Zero(spin * edges_), BlockTridiagonal<spin>(edges_)};
   }
 
   void linearise(const State& q, Curvature curvature, Storage& out) const {
@@ -69,12 +69,16 @@ class CantileverProblem {
  private:
   template <Curvature kind>
   void linearise(const State& q, Storage& out) const {
-    dispatch(ChainLinearisation<Space, kind>(chain_, q.data(), out));
+    const Chain<Space> chain{edges_, 0, columns_, forces_, Point<Space>::Zero(), clamp_, q.data()};
+    ChainRows<Space> rows{out.gradient.data(), out.hessian.chain()};
+    dispatch(ChainLinearisation<Space, kind>(chain, rows));
+    out.energy = rows.energy;
+    out.magnitude = rows.magnitude;
     if (!couple_.empty()) add_couples(q, out);
   }
 
   void add_couples(const State& q, Storage& out) const {
-    for (int j = 0; j < chain_.edges; ++j) {
+    for (int j = 0; j < edges_; ++j) {
       out.gradient.template segment<spin>(spin * j) -= material_couple(q, j);
       if constexpr (spin == 1) out.energy -= couple_[j][0] * q[j].radians;
     }
@@ -84,26 +88,10 @@ class CantileverProblem {
     return rotate_spin(q[j].conjugate(), couple_[j]);
   }
 
-  static Chain<Space> chain(const Rod<Space>& rod, const Rotation& clamp,
-                            const Loads<Space>& loads) {
-    const int n = rod.edges();
-    const auto& grid = rod.grid;
-    return {n,
-            clamp,
-            Columns<spin>(n, [&](int j) { return rod.bending[j] / grid.Δs(j); }),
-            Columns<spin>(n, [&](int j) { return grid.Δs(j) * rod.K0[j]; }),
-            Columns<1>(n, [&](int j) { return Vec1(grid.h(j)); }),
-            column<dim>(n, loads.section_forces()),
-            Columns<dim>(
-                n, [&](int j) { return Compliance<Space, Model>(rod.stretching[j]).diagonal(); })};
-  }
-
-  template <int N>
-  static Columns<N> column(int count, const std::vector<Vec<N>>& items) {
-    return {count, [&](int j) { return items[j]; }};
-  }
-
-  Chain<Space> chain_;
+  Rotation clamp_;
+  EdgeColumns<Space> columns_;
+  Columns<dim> forces_;  ///< on every edge
+  int edges_;
   std::vector<Spin<Space>> couple_;  ///< empty if no couple acts
 };
 

@@ -11,7 +11,7 @@ namespace pyrod {
 
 /// Told at every `stride`-th vertex, and at the centre between two such: an edge if the stride is
 /// one, else a vertex, so that an other stride must be even. Sums go over all.
-template <class Space, class Model>
+template <class Space>
 class CantileverShape {
  public:
   using Rotation = typename Space::Rotation;
@@ -63,8 +63,9 @@ class CantileverShape {
     Point<Space> Γ_before = axis<Space>(), n_before = Point<Space>::Zero();
     for (int j = 0; j < rod_.edges(); ++j) {
       const Mat<Space::dim> R = matrix(out.curve.frames[j]);
-      const Compliance<Space, Model> S(rod_.stretching[j]);
-      const Point<Space> N = R.transpose() * force[j], strain = S * N, Γ = axis<Space>() + strain;
+      const Point<Space> N = R.transpose() * force[j],
+                         strain = compliance(rod_.stretching[j]).cwiseProduct(N),
+                         Γ = axis<Space>() + strain;
       out.stretch_shear_energy += rod_.grid.h(j) / 2 * strain.dot(N);
       if (stride_ == 1) {
         out.material_force.push_back(N);

@@ -12,20 +12,15 @@ namespace pyrod {
                                                const std::optional<NetworkStart>&, const Options&, \
                                                const NetworkOptions&, const Trace&);
 
-#define PYROD_CANTILEVER_SOLVERS(prefix, Space, Model)                             \
-  prefix template Level cantilever_level<Space, Model>(const LoadedLevel&,         \
-                                                       const Placement<Spatial>&); \
-  prefix template Solution<Spatial> solve<Space, Model>(                           \
-      const Rod<Spatial>&, const Placement<Spatial>&, const Loads<Spatial>&,       \
+#define PYROD_CANTILEVER_SOLVERS(prefix, Space)                                                 \
+  prefix template Level cantilever_level<Space>(const LoadedLevel&, const Placement<Spatial>&); \
+  prefix template Solution<Spatial> solve<Space>(                                               \
+      const Rod<Spatial>&, const Placement<Spatial>&, const Loads<Spatial>&,                    \
       const std::vector<Quaternion>&, const Options&, const Trace&);
 
 PYROD_NETWORK_SOLVERS(extern, Planar)
 PYROD_NETWORK_SOLVERS(extern, Spatial)
-PYROD_CANTILEVER_SOLVERS(extern, Planar, Cosserat)
-PYROD_CANTILEVER_SOLVERS(extern, Planar, ExtensibleKirchhoff)
-PYROD_CANTILEVER_SOLVERS(extern, Planar, InextensibleKirchhoff)
-PYROD_CANTILEVER_SOLVERS(extern, Spatial, Cosserat)
-PYROD_CANTILEVER_SOLVERS(extern, Spatial, ExtensibleKirchhoff)
-PYROD_CANTILEVER_SOLVERS(extern, Spatial, InextensibleKirchhoff)
+PYROD_CANTILEVER_SOLVERS(extern, Planar)
+PYROD_CANTILEVER_SOLVERS(extern, Spatial)
 
 }  // namespace pyrod

@@ -16,30 +16,34 @@ template <class Space>
 using VertexForces = std::vector<std::vector<Point<Space>>>;
 
 template <class Space>
-class KnownForces : public Spans<Space> {
+class KnownForces {
  public:
-  using Spans<Space>::dim;
+  static constexpr int dim = Space::dim;
 
-  explicit KnownForces(Network<Space> network) : Spans<Space>(std::move(network)) {
+  explicit KnownForces(Network<Space> network) : cut_(std::move(network)) {
     hold_drifting_parts();
     strip_known_forces();
   }
 
+  /// The network, in whose spans only what is not told is open.
+  const Spans<Space>& cut() const { return cut_; }
+  Spans<Space>& cut() { return cut_; }
+
   /// The dead loads on the vertices.
   VertexForces<Space> dead_forces() const {
     VertexForces<Space> out;
-    for (const auto& loads : net_.loads) out.push_back(loads.force);
+    for (const auto& loads : cut_.network.loads) out.push_back(loads.force);
     return out;
   }
 
   /// What vertices carry and, multiplied by `own`, nodes; summed over each node.
   std::vector<Point<Space>> on_nodes(const VertexForces<Space>& force, double own = 1) const {
-    std::vector<Point<Space>> out(net_.nodes.size(), Point<Space>::Zero());
-    for (std::size_t v = 0; v < out.size(); ++v) out[v] = own * net_.nodes[v].force;
-    for (const auto& on : attached_)
+    std::vector<Point<Space>> out(cut_.network.nodes.size(), Point<Space>::Zero());
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] = own * cut_.network.nodes[v].force;
+    for (const auto& on : cut_.attached)
       for (const auto& a : on) {
         out[a.node] += force[a.rod][a.vertex];
-        if (closed(a.rod) && a.vertex == 0) out[a.node] += force[a.rod].back();
+        if (cut_.closed(a.rod) && a.vertex == 0) out[a.node] += force[a.rod].back();
       }
     return out;
   }
@@ -54,12 +58,12 @@ class KnownForces : public Spans<Space> {
   /// What these forces tell of the section force in the first edge of every span: zero where
   /// nothing is told. Linear in the forces.
   std::vector<Point<Space>> known_forces(const VertexForces<Space>& force, double own = 1) const {
-    std::vector<Point<Space>> known(spans_.size(), Point<Space>::Zero()), loads;
+    std::vector<Point<Space>> known(cut_.spans.size(), Point<Space>::Zero()), loads;
     const auto node_force = on_nodes(force, own);
-    for (const auto& span : spans_) loads.push_back(inside(span, force));
+    for (const auto& span : cut_.spans) loads.push_back(inside(span, force));
     for (const auto& step : told_) {
       Point<Space> balance = -node_force[step.node];
-      for (const auto& [s, end] : spans_at_[step.node])
+      for (const auto& [s, end] : cut_.spans_at[step.node])
         balance += end ? Point<Space>(known[s] - loads[s]) : Point<Space>(-known[s]);
       known[step.span] += step.solve * balance;
     }
@@ -68,11 +72,6 @@ class KnownForces : public Spans<Space> {
 
   /// The position of the node follows from that of others.
   bool derived(int node) const { return derived_[node]; }
-
- protected:
-  using Spans<Space>::net_, Spans<Space>::spans_, Spans<Space>::spans_at_, Spans<Space>::attached_;
-  using Spans<Space>::closed;
-  std::vector<char> derived_;
 
  private:
   using D = Directions<dim>;
@@ -89,35 +88,35 @@ class KnownForces : public Spans<Space> {
       Point<Space> sum = Point<Space>::Zero();
       double size = 0;
       const auto act = [&](const Point<Space>& F) { sum += F, size += F.norm(); };
-      for (std::size_t v = 0; v < net_.nodes.size(); ++v) {
+      for (std::size_t v = 0; v < cut_.network.nodes.size(); ++v) {
         if (part[v] != p) continue;
         if (first < 0) first = int(v);
         act(node_force[v]);
-        if (net_.nodes[v].spring > 0) drift.resize(dim, 0);
-        const D held = detail::without<dim>(Mat<dim>::Identity(), net_.nodes[v].free);
+        if (cut_.network.nodes[v].spring > 0) drift.resize(dim, 0);
+        const D held = detail::without<dim>(Mat<dim>::Identity(), cut_.network.nodes[v].free);
         drift = detail::without<dim>(drift, held);
       }
       if (drift.cols() == 0) continue;
-      for (const auto& span : spans_)
+      for (const auto& span : cut_.spans)
         if (part[span.start] == p) act(inside(span, dead));
       const Point<Space> unbalanced = drift * (drift.transpose() * sum);
       require(unbalanced.norm() <= 1e-9 * size,
               "supports: nothing holds the rods against the force (", unbalanced.transpose(),
               "); hold a point of them, or let the loads balance");
-      auto& node = net_.nodes[first];
+      auto& node = cut_.network.nodes[first];
       node.free = detail::without<dim>(node.free, drift);
     }
   }
 
   /// A number for each node: the same for nodes that rods connect.
   std::vector<int> parts() const {
-    std::vector<int> of(net_.nodes.size());
+    std::vector<int> of(cut_.network.nodes.size());
     std::iota(of.begin(), of.end(), 0);
     const auto root = [&](int v) {
       while (of[v] != v) v = of[v] = of[of[v]];
       return v;
     };
-    for (const auto& span : spans_) of[root(span.start)] = root(span.end);
+    for (const auto& span : cut_.spans) of[root(span.start)] = root(span.end);
     std::vector<int> name(of.size(), -1), out;
     int count = 0;
     for (int v = 0; v < int(of.size()); ++v) {
@@ -130,27 +129,28 @@ class KnownForces : public Spans<Space> {
 
   /// Forces that the loads tell: from the free ends inwards, until nothing more can be told.
   void strip_known_forces() {
-    derived_.assign(net_.nodes.size(), false);
-    std::vector<int> todo(net_.nodes.size());
+    derived_.assign(cut_.network.nodes.size(), false);
+    std::vector<int> todo(cut_.network.nodes.size());
     std::iota(todo.begin(), todo.end(), 0);
     while (!todo.empty()) {
       const int v = todo.back();
       todo.pop_back();
       const int p = the_open_span(v);
-      if (derived_[v] || p < 0 || net_.nodes[v].free.cols() == 0 || net_.nodes[v].spring > 0)
+      if (derived_[v] || p < 0 || cut_.network.nodes[v].free.cols() == 0 ||
+          cut_.network.nodes[v].spring > 0)
         continue;
       if (!tell(v, p)) continue;
       derived_[v] = true;
-      todo.push_back(spans_[p].start);
-      todo.push_back(spans_[p].end);
+      todo.push_back(cut_.spans[p].start);
+      todo.push_back(cut_.spans[p].end);
     }
   }
 
   /// The one span at the node whose force is not known, −1 if there is none or several.
   int the_open_span(int v) const {
     int found = -1;
-    for (const auto& [p, end] : spans_at_[v]) {
-      if (spans_[p].open.cols() == 0) continue;
+    for (const auto& [p, end] : cut_.spans_at[v]) {
+      if (cut_.spans[p].open.cols() == 0) continue;
       if (found >= 0) return -1;
       found = p;
     }
@@ -159,8 +159,8 @@ class KnownForces : public Spans<Space> {
 
   /// Tells the force of span p along the free directions F of node v: Fᵀ(Σ n − P) = 0.
   bool tell(int v, int p) {
-    Span<Space>& span = spans_[p];
-    const D& F = net_.nodes[v].free;
+    Span<Space>& span = cut_.spans[p];
+    const D& F = cut_.network.nodes[v].free;
     const Eigen::MatrixXd M = F.transpose() * span.open;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr(M);
     qr.setThreshold(1e-9);
@@ -176,6 +176,9 @@ class KnownForces : public Spans<Space> {
     int node, span;
     Mat<dim> solve;
   };
+
+  Spans<Space> cut_;
+  std::vector<char> derived_;
   std::vector<Told> told_;
 };
 

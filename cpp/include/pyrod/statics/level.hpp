@@ -12,9 +12,9 @@ namespace pyrod {
 using LoadedLevel = std::function<LoadedRod(int level)>;
 using PlacedLevel = std::function<PlacedNetwork(int level)>;
 
-template <class Space, class Model>
+template <class Space>
 Level cantilever_level(const LoadedLevel& loaded, const Placement<Spatial>& clamp) {
-  auto levels = std::make_shared<CantileverLevels<Space, Model>>(loaded, clamp);
+  auto levels = std::make_shared<CantileverLevels<Space>>(loaded, clamp);
   return [levels, clamp](int level, bool from_below, const std::optional<NetworkStart>& start,
                          const Options& options, const NetworkOptions&, const Trace& trace) {
     const auto frames = start ? restricted<Space>(start->frames, clamp.frame)

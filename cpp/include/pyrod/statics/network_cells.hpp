@@ -4,54 +4,23 @@
 #pragma once
 
 #include <pyrod/rod/bend_twist.hpp>
-#include <pyrod/solve/problem.hpp>
-#include <pyrod/statics/network_skew.hpp>
+#include <pyrod/statics/network_rows.hpp>
 
 namespace pyrod {
 
 template <class Space>
-class NetworkCells : public NetworkSkew<Space> {
+class NetworkCells {
  public:
-  using Base = NetworkSkew<Space>;
-  using Base::dim, Base::spin;
-  using typename Base::Rotation, typename Base::State;
+  using Rotation = typename Space::Rotation;
+  using State = NetworkState<Space>;
   using Storage = Linearisation<BlockSymmetric>;
-  using Base::Base;
+  static constexpr int spin = Space::spin;
 
- protected:
-  using Base::layout_, Base::net_, Base::first_;
-
-  /// The cell of vertex j between two edges.
-  template <Curvature kind>
-  void add_turn(const State& x, int before, int behind, const Rod<Space>& rod, int j, double Δs,
-                Storage& out) const {
-    Rotation W = x.frames[before].conjugate() * x.frames[behind];
-    if (behind < before) W = principal(W);  // the frames of a closed rod need not close their signs
-    const Spin<Space> u = log(W);
-    const auto jet =
-        bend_twist<kind>(u, typename Space::Differential(u), rod.bending[j], rod.K0[j], Δs);
-    const int a = layout_.frame_block(before), b = layout_.frame_block(behind);
-    add_energy(jet.energy, out);
-    out.gradient.template segment<spin>(first_[a]) += jet.a;
-    out.gradient.template segment<spin>(first_[b]) += jet.b;
-    out.hessian.add_diagonal(a, jet.aa);
-    out.hessian.add_diagonal(b, jet.bb);
-    if (a < b)
-      out.hessian.add(a, b, jet.ab);
-    else if (b < a)
-      out.hessian.add(b, a, jet.ab.transpose().eval());
-    else
-      out.hessian.add_diagonal(a, Mat<spin>(jet.ab + jet.ab.transpose()));
-  }
-
-  static void add_energy(double energy, Storage& out) {
-    out.energy += energy;
-    out.magnitude += std::abs(energy);
-  }
+  explicit NetworkCells(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {}
 
   /// The cells at an attached vertex: one from edge to edge, or two halves that meet in the node.
   template <Curvature kind>
-  void add_attached(const State& x, const Attachment<Space>& a, Storage& out) const {
+  void add(const State& x, const Attachment<Space>& a, Storage& out) const {
     const auto& rod = net_.rods[a.rod];
     const int n = rod.edges();
     const bool closed = rod.grid.closed();
@@ -64,6 +33,30 @@ class NetworkCells : public NetworkSkew<Space> {
       add_turn<kind>(x, layout_.edge(a.rod, before), layout_.edge(a.rod, behind), rod, a.vertex,
                      rod.grid.Δs(a.vertex), out);
     }
+  }
+
+ private:
+  /// The cell of vertex j between two edges.
+  template <Curvature kind>
+  void add_turn(const State& x, int before, int behind, const Rod<Space>& rod, int j, double Δs,
+                Storage& out) const {
+    Rotation W = x.frames[before].conjugate() * x.frames[behind];
+    if (behind < before) W = principal(W);  // the frames of a closed rod need not close their signs
+    const Spin<Space> u = log(W);
+    const auto jet =
+        bend_twist<kind>(u, typename Space::Differential(u), rod.bending[j], rod.K0[j], Δs);
+    const int a = layout_.frame_block(before), b = layout_.frame_block(behind);
+    add_energy(jet.energy, out);
+    out.gradient.template segment<spin>(layout_.row(a)) += jet.a;
+    out.gradient.template segment<spin>(layout_.row(b)) += jet.b;
+    out.hessian.add_diagonal(a, jet.aa);
+    out.hessian.add_diagonal(b, jet.bb);
+    if (a < b)
+      out.hessian.add(a, b, jet.ab);
+    else if (b < a)
+      out.hessian.add(b, a, jet.ab.transpose().eval());
+    else
+      out.hessian.add_diagonal(a, Mat<spin>(jet.ab + jet.ab.transpose()));
   }
 
   /// Half a cell between an edge and the node it is fixed to. It turns by less than π.
@@ -81,7 +74,7 @@ class NetworkCells : public NetworkSkew<Space> {
         u, typename Space::Differential(u), before ? sides.bending_before : sides.bending_behind,
         before ? sides.K0_before : sides.K0_behind, rod.grid.h(j) / 2);
     add_energy(jet.energy, out);
-    out.gradient.template segment<spin>(first_[q]) += before ? jet.a : jet.b;
+    out.gradient.template segment<spin>(layout_.row(q)) += before ? jet.a : jet.b;
     out.hessian.add_diagonal(q, before ? jet.aa : jet.bb);
     const Spin<Space>& g = before ? jet.b : jet.a;
     const Mat<spin>& H = before ? jet.bb : jet.aa;
@@ -89,24 +82,9 @@ class NetworkCells : public NetworkSkew<Space> {
     const Mat<spin> turns = own_turns(x, a);  // of the held frame, per unknown of the node
     if (a.hinge) add_hinge<kind>(a, g, H, mixed, turns, q, v, out);
     if (v < 0) return;
-    add_to_rows(v, Spin<Space>(turns.transpose() * g), out);
+    add_to_rows(layout_, v, Spin<Space>(turns.transpose() * g), out);
     out.hessian.add_diagonal(v, Mat<spin>(turns.transpose() * H * turns));
     out.hessian.add(q, v, Mat<spin>(mixed * turns));
-  }
-
-  /// The leading part, as much as the block has, goes to the gradient.
-  template <int N>
-  void add_to_rows(int block, const Vec<N>& part, Storage& out) const {
-    const int size = layout_.sizes()[block];
-    out.gradient.segment(first_[block], size) += part.head(size);
-  }
-
-  /// Directions as a matrix of fixed size: columns that are missing are zero.
-  template <int N>
-  static Mat<N> padded(const Directions<N>& A) {
-    Mat<N> out = Mat<N>::Zero();
-    out.leftCols(A.cols()) = A;
-    return out;
   }
 
   /// The held frame F moves as F ← F exp(α) exp(β) with α from the node and β = δ b from the hinge,
@@ -116,7 +94,7 @@ class NetworkCells : public NetworkSkew<Space> {
                  const Mat<spin>& mixed, const Mat<spin>& turns, int q, int v, Storage& out) const {
     const int w = layout_.hinge_block(a.hinge_number);
     const Spin<Space> b = rotate_spin(a.relative.conjugate(), *a.hinge), Hb = H * b;
-    out.gradient[first_[w]] += b.dot(g);
+    out.gradient[layout_.row(w)] += b.dot(g);
     out.hessian.add_diagonal(w, Mat<1>(b.dot(Hb)));
     out.hessian.add(q, w, Spin<Space>(mixed * b));
     if (v < 0) return;
@@ -129,10 +107,13 @@ class NetworkCells : public NetworkSkew<Space> {
   /// to the other.
   Mat<spin> own_turns(const State& x, const Attachment<Space>& a) const {
     const Rotation back = held_frame(x, a).conjugate() * x.node_frames[a.node];
-    Mat<spin> out = padded<spin>(net_.nodes[a.node].turns);
+    Mat<spin> out = padded(net_.nodes[a.node].turns);
     for (int i = 0; i < spin; ++i) out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
     return out;
   }
+
+  const Layout<Space>& layout_;
+  const Network<Space>& net_;
 };
 
 }  // namespace pyrod

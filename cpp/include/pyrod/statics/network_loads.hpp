@@ -2,6 +2,7 @@
 /// \file What acts on a network, dead or following it, and the section forces that belong to it.
 #pragma once
 
+#include <pyrod/core/columns.hpp>
 #include <pyrod/rod/moment_law.hpp>
 #include <pyrod/statics/network_state.hpp>
 
@@ -30,10 +31,11 @@ class NetworkLoads {
   /// Lets only a part of all loads act.
   void load(double part) {
     part_ = part;
-    dead_.vertices = layout_.dead_forces();
+    dead_.vertices = layout_.known().dead_forces();
     for (auto& rod : dead_.vertices)
       for (auto& F : rod) F *= part;
     tell(dead_, part);
+    set_columns(dead_);
     find_couples();
   }
 
@@ -48,24 +50,20 @@ class NetworkLoads {
   Forces forces(const State& x) const {
     Acting changed;
     const Acting& now = acting(x, changed);
-    return {now.vertices, now.nodes, spread(x.forces, now)};
-  }
-
-  /// The dead couple on an edge, with that of an end that turns freely.
-  Spin<Space> edge_couple(int edge) const {
-    for (const auto& [j, m] : edge_couples_)
-      if (j == edge) return m;
-    return Spin<Space>::Zero();
+    Forces out{now.vertices, now.nodes, now.told};
+    for (int p = 0; p < int(layout_.spans().size()); ++p)
+      for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
+        out.sections[e] += x.forces[p];
+    return out;
   }
 
   const Layout<Space>& layout() const { return layout_; }
 
- protected:
-  /// Forces on vertices and nodes, and what they make of every span: what is known of the section
-  /// force in its first edge, and by how much it is less in the last.
+  /// Forces on vertices and nodes, and what they tell of the section force in every edge.
   struct Acting {
     VertexForces<Space> vertices;
-    std::vector<Point<Space>> nodes, known, drop;
+    std::vector<Point<Space>> nodes, told;
+    Columns<dim> columns;  ///< of what is told, for packs
   };
 
   /// What acts at x: it is kept in `changed` if it is more than the dead loads.
@@ -77,41 +75,44 @@ class NetworkLoads {
         changed.vertices[rod][f.vertex] +=
             part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
     tell(changed, part_);
+    set_columns(changed);
     return changed;
   }
 
   /// Finds what the forces on vertices make of nodes and spans, of the nodes' own loads `own`.
   void tell(Acting& now, double own) const {
-    now.nodes = layout_.on_nodes(now.vertices, own);
-    now.known = layout_.known_forces(now.vertices, own);
-    now.drop.clear();
-    for (const auto& span : layout_.spans()) now.drop.push_back(layout_.inside(span, now.vertices));
-  }
-
-  /// From the force in the first edge of each span to all edges.
-  std::vector<Point<Space>> spread(const std::vector<Point<Space>>& open, const Acting& now) const {
-    std::vector<Point<Space>> n(layout_.edges());
+    now.nodes = layout_.known().on_nodes(now.vertices, own);
+    const auto known = layout_.known().known_forces(now.vertices, own);
+    now.told.resize(layout_.edges());
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
-      Point<Space> f = open[p] + now.known[p];
+      Point<Space> f = known[p];
       for (int j = span.first; j < span.last; ++j) {
         if (j > span.first) f -= now.vertices[span.rod][j];
-        n[layout_.edge(span.rod, j)] = f;
+        now.told[layout_.edge(span.rod, j)] = f;
       }
     }
-    return n;
   }
 
-  const Layout<Space>& layout_;
-  const Network<Space>& net_;
-  Acting dead_;
-  std::vector<std::pair<int, Spin<Space>>> edge_couples_;       ///< spatial, on edges
-  std::vector<std::pair<int, Spin<Space>>> following_couples_;  ///< material, on edges
-  std::vector<Spin<Space>> node_moment_, node_following_;       ///< spatial; material
-  double part_ = 1;
-  bool follows_ = false, couples_ = false;
+  using Couples = std::vector<std::pair<int, Spin<Space>>>;
+
+  /// Spatial, on edges, with those of ends that turn freely.
+  const Couples& edge_couples() const { return edge_couples_; }
+  /// Material, on edges.
+  const Couples& following_couples() const { return following_couples_; }
+  /// Spatial, and material, on nodes.
+  const std::vector<Spin<Space>>& node_moments() const { return node_moment_; }
+  const std::vector<Spin<Space>>& following_moments() const { return node_following_; }
+  const VertexForces<Space>& dead_forces() const { return dead_.vertices; }
+  bool follow() const { return follows_; }
+  /// Of all loads, the part that acts.
+  double part() const { return part_; }
 
  private:
+  static void set_columns(Acting& now) {
+    now.columns.assign(int(now.told.size()), [&](int e) { return now.told[e]; });
+  }
+
   void find_couples() {
     edge_couples_.clear();
     following_couples_.clear();
@@ -158,6 +159,14 @@ class NetworkLoads {
         layout_.edge(rod, n - 1),
         transmitted_moment<Space>(u, r.bending[n], r.K0[n], r.grid.Δs(n)));
   }
+
+  const Layout<Space>& layout_;
+  const Network<Space>& net_;
+  Acting dead_;
+  Couples edge_couples_, following_couples_;
+  std::vector<Spin<Space>> node_moment_, node_following_;
+  double part_ = 1;
+  bool follows_ = false, couples_ = false;
 };
 
 }  // namespace pyrod

@@ -4,53 +4,39 @@
 #pragma once
 
 #include <pyrod/rod/model.hpp>
+#include <pyrod/statics/edge_columns.hpp>
 #include <pyrod/statics/network_loads.hpp>
 
 namespace pyrod {
 
 template <class Space>
-class NetworkSkew : public NetworkLoads<Space> {
+class NetworkSkew {
  public:
-  using Base = NetworkLoads<Space>;
-  using Base::dim, Base::spin;
-  using typename Base::Rotation, typename Base::State;
+  using Rotation = typename Space::Rotation;
+  using State = NetworkState<Space>;
+  static constexpr int spin = Space::spin;
 
-  explicit NetworkSkew(const Layout<Space>& layout) : Base(layout) {
-    for (const auto& rod : net_.rods)
-      for (const auto& C : rod.stretching) compliance_.emplace_back(C);
-    first_.assign(1, 0);
-    for (const int size : layout_.sizes()) first_.push_back(first_.back() + size);
-  }
+  NetworkSkew(const Layout<Space>& layout, const NetworkLoads<Space>& loads,
+              const EdgeColumns<Space>& columns)
+      : layout_(layout), net_(layout.network()), loads_(loads), columns_(columns) {}
 
   /// w = (tangent − its symmetric part) v: couples that do not follow a potential, and the change
   /// of forces that follow frames.
-  void multiply_skew(const State& x, const Vector& v, Vector& out) const {
+  void multiply(const State& x, const Vector& v, Vector& out) const {
     out.setZero(v.size());
-    for (const auto& [edge, m] : edge_couples_)
-      add_couple_skew(x.frames[edge], m, first_[layout_.frame_block(edge)], v, out);
+    for (const auto& [edge, m] : loads_.edge_couples())
+      add_couple_skew(x.frames[edge], m, layout_.frame_row(edge), v, out);
     for (int node = 0; node < int(net_.nodes.size()); ++node)
       if (const int b = layout_.turn_block(node); b >= 0 && spin == 3) {
         const auto& T = net_.nodes[node].turns;
-        const Spin<Space> φ = T * v.segment(first_[b], T.cols());
-        const Spin<Space> m = rotate_spin(x.node_frames[node].conjugate(), node_moment_[node]) -
-                              node_following_[node];
-        out.segment(first_[b], T.cols()) += T.transpose() * (spin_skew(φ) * m / 2);
+        const Spin<Space> φ = T * v.segment(layout_.row(b), T.cols());
+        const Spin<Space> m =
+            rotate_spin(x.node_frames[node].conjugate(), loads_.node_moments()[node]) -
+            loads_.following_moments()[node];
+        out.segment(layout_.row(b), T.cols()) += T.transpose() * (spin_skew(φ) * m / 2);
       }
-    if (follows_) add_following_skew(x, v, out);
+    if (loads_.follow()) add_following_skew(x, v, out);
   }
-
-  /// Of the unknowns that turn the frame of an edge.
-  int first_row(int edge) const { return first_[layout_.frame_block(edge)]; }
-  int first_row_of(int block) const { return first_[block]; }
-  const Compliance<Space, Cosserat>& compliance(int edge) const { return compliance_[edge]; }
-
- protected:
-  using Base::forces, Base::spread, Base::tell;
-  using Base::layout_, Base::net_, Base::dead_, Base::edge_couples_, Base::following_couples_;
-  using Base::node_moment_, Base::node_following_, Base::part_, Base::follows_, Base::couples_;
-
-  std::vector<Compliance<Space, Cosserat>> compliance_;
-  std::vector<int> first_;  ///< row of every block
 
  private:
   /// −½ [Rᵀm]: with it the tangent is that of the residual in the coordinates exp(φ).
@@ -61,37 +47,34 @@ class NetworkSkew : public NetworkLoads<Space> {
   }
 
   void add_following_skew(const State& x, const Vector& v, Vector& out) const {
-    typename Base::Acting change;
-    change.vertices = dead_.vertices;
+    typename NetworkLoads<Space>::Acting change;
+    change.vertices = loads_.dead_forces();
     for (auto& rod : change.vertices) std::fill(rod.begin(), rod.end(), Point<Space>::Zero());
-    const auto turn_of = [&](int e) {
-      return Spin<Space>(v.segment<spin>(first_[layout_.frame_block(e)]));
-    };
+    const auto turn_of = [&](int e) { return Spin<Space>(v.segment<spin>(layout_.frame_row(e))); };
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
       for (const auto& f : net_.loads[rod].following_forces) {
         const int e = layout_.edge(rod, f.edge);
         change.vertices[rod][f.vertex] -=
-            part_ * rotate(x.frames[e], Point<Space>(skew(f.force) * turn_of(e)));
+            loads_.part() * rotate(x.frames[e], Point<Space>(skew(f.force) * turn_of(e)));
       }
     }
-    for (const auto& [edge, m] : following_couples_)  // +½ [M]
-      out.segment<spin>(first_[layout_.frame_block(edge)]) -= spin_skew(turn_of(edge)) * m / 2;
-    tell(change, 0);
-    const std::vector<Point<Space>> none(layout_.spans().size(), Point<Space>::Zero());
-    const auto dn = spread(none, change), n = forces(x).sections;
+    for (const auto& [edge, m] : loads_.following_couples())  // +½ [M]
+      out.segment<spin>(layout_.frame_row(edge)) -= spin_skew(turn_of(edge)) * m / 2;
+    loads_.tell(change, 0);
+    const auto &dn = change.told, n = loads_.forces(x).sections;
     for (const auto& span : layout_.spans()) {
       Point<Space> reach = Point<Space>::Zero();
       for (int j = span.first; j < span.last; ++j) {
         const int e = layout_.edge(span.rod, j);
         const double h = net_.rods[span.rod].grid.h(j);
-        const Point<Space> S = compliance_[e].diagonal(), b = unrotate(x.frames[e], n[e]);
+        const Point<Space> S = columns_.compliance[e], b = unrotate(x.frames[e], n[e]);
         const Point<Space> db = unrotate(x.frames[e], dn[e]), dΓ = S.cwiseProduct(db);
-        out.segment<spin>(first_[layout_.frame_block(e)]) +=
+        out.segment<spin>(layout_.frame_row(e)) +=
             h * (cross(db, Point<Space>(axis<Space>() + S.cwiseProduct(b))) + cross(b, dΓ));
         reach += h * rotate(x.frames[e], dΓ);
       }
       if (span.block >= 0)
-        out.segment(first_[span.block], span.open.cols()) -= span.open.transpose() * reach;
+        out.segment(layout_.row(span.block), span.open.cols()) -= span.open.transpose() * reach;
     }
     for (int node = 0; node < int(net_.nodes.size()); ++node)
       if (const int b = layout_.place_block(node); b >= 0) {
@@ -104,9 +87,14 @@ class NetworkSkew : public NetworkLoads<Space> {
             balance -= dn[layout_.edge(span.rod, span.first)];
         }
         const auto& F = net_.nodes[node].free;
-        out.segment(first_[b], F.cols()) += F.transpose() * balance;
+        out.segment(layout_.row(b), F.cols()) += F.transpose() * balance;
       }
   }
+
+  const Layout<Space>& layout_;
+  const Network<Space>& net_;
+  const NetworkLoads<Space>& loads_;
+  const EdgeColumns<Space>& columns_;
 };
 
 }  // namespace pyrod

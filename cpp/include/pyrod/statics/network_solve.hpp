@@ -42,25 +42,24 @@ class NetworkSolver {
                 Trace trace)
       : network_(std::move(network)), options_(options), more_(more), trace_(std::move(trace)) {
     network_.check();
-    fine_ = std::make_unique<Layout<Space>>(network_);
+    fine_ = std::make_unique<Posed>(network_);
   }
 
-  const Layout<Space>& layout() const { return *fine_; }
+  const Layout<Space>& layout() const { return fine_->layout; }
 
   /// From the shapes that `Start` makes, through coarser grids.
   NetworkResult<Space> solve() {
-    out_.state = Start<Space>(*fine_).state();
+    out_.state = Start<Space>(layout()).state();
     if (largest_turn() > std::numbers::pi - 1e-6) return finished();  // no grid tells such a start
-    std::vector<std::unique_ptr<Layout<Space>>> coarser;
-    const auto counts = levels();
-    for (const int edges : counts)
-      coarser.push_back(std::make_unique<Layout<Space>>(coarsened(network_, edges)));
-    const Layout<Space>& first = coarser.empty() ? *fine_ : *coarser.front();
+    std::vector<std::unique_ptr<Posed>> coarser;
+    for (const int edges : levels())
+      coarser.push_back(std::make_unique<Posed>(coarsened(network_, edges)));
+    Posed& first = coarser.empty() ? *fine_ : *coarser.front();
     const NetworkState<Space> start = std::move(out_.state);
-    at_first(first, coarser.empty() ? start : Start<Space>(first).state());
+    at_first(first, coarser.empty() ? start : Start<Space>(first.layout).state());
     for (std::size_t i = 0; i < coarser.size() && converged(); ++i) {
-      const Layout<Space>& to = i + 1 < coarser.size() ? *coarser[i + 1] : *fine_;
-      at_level(to, refined(*coarser[i], out_.state, to), Curvature::exact, false);
+      Posed& to = i + 1 < coarser.size() ? *coarser[i + 1] : *fine_;
+      at_level(to, refined(coarser[i]->layout, out_.state, to.layout), Curvature::exact, false);
     }
     if (!converged() && !coarser.empty() && out_.status != Status::interrupted &&
         out_.status != Status::taut)
@@ -76,6 +75,16 @@ class NetworkSolver {
 
  private:
   using Problem = NetworkProblem<Space>;
+
+  /// The network on one grid. The problem keeps a reference to the layout: not to be moved.
+  struct Posed {
+    Layout<Space> layout;
+    Problem problem{layout};
+
+    explicit Posed(const Network<Space>& network) : layout(network) {}
+    Posed(const Posed&) = delete;
+    Posed& operator=(const Posed&) = delete;
+  };
   static constexpr int coarsest = 16, refinement = 8;
 
   bool converged() const { return out_.status == Status::converged; }
@@ -84,10 +93,10 @@ class NetworkSolver {
   /// more than half a radian from edge to edge.
   std::vector<int> levels() const {
     int longest = 0, turns = 0;
-    for (const auto& span : fine_->spans()) longest = std::max(longest, span.last - span.first);
-    for (const auto& a : fine_->network().attachments) turns = std::max(turns, std::abs(a.turns));
+    for (const auto& span : layout().spans()) longest = std::max(longest, span.last - span.first);
+    for (const auto& a : layout().network().attachments) turns = std::max(turns, std::abs(a.turns));
     double rest = 0;
-    for (const auto& rod : fine_->network().rods) {
+    for (const auto& rod : layout().network().rods) {
       double sum = 0;
       for (int j = 0; j < rod.grid.vertices(); ++j) sum += rod.grid.Δs(j) * rod.K0[j].norm();
       rest = std::max(rest, sum);
@@ -102,19 +111,19 @@ class NetworkSolver {
 
   /// On the coarsest grid. Where a rod may pass its supports in several ways, and the likeliest
   /// leads to no stable shape, another is tried before all that comes last.
-  void at_first(const Layout<Space>& layout, const NetworkState<Space>& start) {
-    const bool choice = Start<Space>(layout).has_choice();
-    at_level(layout, start, Curvature::convex, !choice);
+  void at_first(Posed& posed, const NetworkState<Space>& start) {
+    const bool choice = Start<Space>(posed.layout).has_choice();
+    at_level(posed, start, Curvature::convex, !choice);
     if (!choice || settled()) return;
     NetworkResult<Space> before = out_;
-    at_level(layout, Start<Space>(layout, true).state(), Curvature::convex, false);
+    at_level(posed, Start<Space>(posed.layout, true).state(), Curvature::convex, false);
     if (settled()) return;
     if (before.status == Status::converged && (!converged() || before.index <= out_.index)) {
       before.record = std::move(out_.record);
       out_ = std::move(before);
     }
     if (!converged() && out_.status != Status::interrupted)
-      at_level(layout, start, Curvature::convex, true);
+      at_level(posed, start, Curvature::convex, true);
   }
 
   /// Whether there is nothing better to look for.
@@ -124,9 +133,9 @@ class NetworkSolver {
   }
 
   /// Solves on one grid; the result and its record go to `out_`.
-  void at_level(const Layout<Space>& layout, NetworkState<Space> start, Curvature first,
-                bool resort, bool estimate = false) {
-    Problem problem(layout);
+  void at_level(Posed& posed, NetworkState<Space> start, Curvature first, bool resort,
+                bool estimate = false) {
+    auto& [layout, problem] = posed;
     SaddleNewton<Problem> newton(problem, options_, trace_, more_.stable);
     keep(newton.solve(start, first, estimate, estimate && more_.anchored));
     if (out_.status != Status::interrupted && cannot_hold(layout, out_.state, converged()))
@@ -143,15 +152,14 @@ class NetworkSolver {
     out_.unknowns = int(problem.weights().size());
     out_.multipliers = int((problem.weights().array() == 0).count());
     out_.conservative = problem.conservative();
-    if (&layout != fine_.get() || !converged()) return;
+    if (&posed != fine_.get() || !converged()) return;
     const Uncertainty<Space> open(problem);
     if (more_.rounding && open.feels_rounding())
       out_.rounding = open.rounding(newton.rounding_step());
-    if (out_.conservative) look_at_modes(problem, open, newton);
+    if (out_.conservative) look_at_modes(open, newton);
   }
 
-  void look_at_modes(const Problem& problem, const Uncertainty<Space>& open,
-                     SaddleNewton<Problem>& newton) {
+  void look_at_modes(const Uncertainty<Space>& open, SaddleNewton<Problem>& newton) {
     auto mode = newton.soft_mode();
     out_.softness = mode ? open.softness(out_.state, *mode) : Softness{};
     out_.neutral = out_.softness.neutral();
@@ -161,8 +169,8 @@ class NetworkSolver {
       out_.lowest_eigenvalue = mode->eigenvalue;
     }
     out_.mode.clear();
-    for (int j = 0; mode && j < fine_->edges(); ++j)
-      out_.mode.push_back(mode->shape.template segment<Space::spin>(problem.first_row(j)));
+    for (int j = 0; mode && j < layout().edges(); ++j)
+      out_.mode.push_back(mode->shape.template segment<Space::spin>(layout().frame_row(j)));
   }
 
   void keep(Result<NetworkState<Space>>&& result) {
@@ -235,22 +243,22 @@ class NetworkSolver {
   }
 
   NetworkResult<Space> finished() {
-    const Problem problem(*fine_);
-    if (int(out_.state.frames.size()) != fine_->edges()) out_.state = Start<Space>(*fine_).state();
+    if (int(out_.state.frames.size()) != layout().edges())
+      out_.state = Start<Space>(layout()).state();
     if (!converged() && out_.status != Status::interrupted && out_.status != Status::taut &&
         largest_turn() > 2.5)
       out_.status = Status::too_coarse;
-    out_.solution = Recovery<Space>(problem, out_.state).solution();
+    out_.solution = Recovery<Space>(fine_->problem, out_.state).solution();
     return std::move(out_);
   }
 
   /// Between neighbouring edges [rad].
   double largest_turn() const {
     double largest = 0;
-    for (int rod = 0; rod < int(fine_->network().rods.size()); ++rod)
-      for (int j = 1; j < fine_->network().rods[rod].edges(); ++j) {
-        const auto &a = out_.state.frames[fine_->edge(rod, j - 1)],
-                   &b = out_.state.frames[fine_->edge(rod, j)];
+    for (int rod = 0; rod < int(layout().network().rods.size()); ++rod)
+      for (int j = 1; j < layout().network().rods[rod].edges(); ++j) {
+        const auto &a = out_.state.frames[layout().edge(rod, j - 1)],
+                   &b = out_.state.frames[layout().edge(rod, j)];
         largest = std::max(largest, log(a.conjugate() * b).norm());
       }
     return largest;
@@ -260,7 +268,7 @@ class NetworkSolver {
   Options options_;
   NetworkOptions more_;
   Trace trace_;
-  std::unique_ptr<Layout<Space>> fine_;
+  std::unique_ptr<Posed> fine_;
   NetworkResult<Space> out_;
 };
 

@@ -13,6 +13,12 @@ struct NetworkState {
   std::vector<Point<Space>> forces;     ///< of all spans: what the loads do not tell of them
   std::vector<Point<Space>> positions;  ///< of all nodes; meaningless where they are derived
   std::vector<double> hinge_angles;     ///< of all hinges
+
+  /// Memory it takes.
+  std::size_t bytes() const {
+    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    return of(frames) + of(node_frames) + of(forces) + of(positions) + of(hinge_angles);
+  }
 };
 
 /// The frame in which a node, or a hinge in it, holds a rod.

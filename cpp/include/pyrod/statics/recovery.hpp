@@ -50,7 +50,8 @@ class Recovery {
       s.curve.frames.push_back(x_.frames[e]);
       s.force.push_back(now_.sections[e]);
       s.material_force.push_back(unrotate(x_.frames[e], now_.sections[e]));
-      s.strains.Γ.push_back(axis<Space>() + problem_.compliance(e) * s.material_force[j]);
+      s.strains.Γ.push_back(axis<Space>() +
+                            problem_.compliance(e).cwiseProduct(s.material_force[j]));
       s.stretch_shear_energy +=
           r.grid.h(j) / 2 * (s.strains.Γ[j] - axis<Space>()).dot(s.material_force[j]);
     }

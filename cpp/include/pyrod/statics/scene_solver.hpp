@@ -69,12 +69,10 @@ class SceneSolve {
   SceneSolution as_cantilever(const Start& start) const {
     const auto frames = start ? start->frames : std::vector<Quaternion>{};
     return in_space(scene().space, [&]<class Space>(Space) {
-      return with_model(model(), [&]<class Model>(Model) {
-        return scene_solution(
-            pyrod::solve<Space, Model>(rod(), network().plane, ready_.grid().loads(0), frames,
-                                       settings_.options, settings_.trace),
-            rod().edges() * Space::spin);
-      });
+      return scene_solution(
+          pyrod::solve<Space>(rod(), network().plane, ready_.grid().loads(0), frames,
+                              settings_.options, settings_.trace),
+          rod().edges() * Space::spin);
     });
   }
 
@@ -85,12 +83,6 @@ class SceneSolve {
     });
   }
 
-  ModelKind model() const {
-    ModelKind richest = ModelKind::inextensible;
-    for (const auto& C : rod().stretching) richest = std::min(richest, detail::richest(C));
-    return richest;
-  }
-
   /// The levels know the scene that is ready, and nothing of this solve.
   Level level(bool cantilever) const {
     return in_space(scene().space, [&]<class Space>(Space) -> Level {
@@ -99,14 +91,12 @@ class SceneSolve {
           const auto on = ready.network_on(level);
           return {on->network, on->plane};
         });
-      return with_model(model(), [&]<class Model>(Model) {
-        return cantilever_level<Space, Model>(
-            [&ready = ready_](int level) -> LoadedRod {
-              const auto on = ready.network_on(level);
-              return {on->network.rods[0], on->network.loads[0]};
-            },
-            network().plane);
-      });
+      return cantilever_level<Space>(
+          [&ready = ready_](int level) -> LoadedRod {
+            const auto on = ready.network_on(level);
+            return {on->network.rods[0], on->network.loads[0]};
+          },
+          network().plane);
     });
   }
 

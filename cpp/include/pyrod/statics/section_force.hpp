@@ -2,8 +2,8 @@
 /// \file What an edge adds to the statics when its section force is known (docs/theory.md, §3).
 #pragma once
 
-#include <pyrod/rod/bend_twist.hpp>
-#include <pyrod/rod/model.hpp>
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/rotation/space.hpp>
 
 namespace pyrod {
 
@@ -64,12 +64,6 @@ EdgeJet<Space, Real> edge_term(const typename Space::template RotationOf<Real>& 
     jet.hessian = h * force_stiffness(b, Γ, S);
   }
   return jet;
-}
-
-template <Curvature kind, class Space, class Model>
-EdgeJet<Space> section_force_term(const typename Space::Rotation& frame, const Point<Space>& n,
-                                  const Compliance<Space, Model>& compliance, double h) {
-  return edge_term<kind, Space, double>(frame, n, compliance.diagonal(), h);
 }
 
 }  // namespace pyrod

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file One call for every clamped rod: space and model chosen at run time, results always in
+/// \file One call for every clamped rod: plane or space chosen at run time, results always in
 /// space.
 #pragma once
 
+#include <pyrod/rod/model.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/statics/cantilever.hpp>
 #include <pyrod/statics/network_run.hpp>
@@ -39,16 +40,15 @@ inline SceneSolution scene_solution(Solution<Spatial>&& from, int unknowns) {
 
 /// Equilibrium of a rod held by `clamp` under dead loads; a saddle is told by its index. `start`:
 /// frames of the edges to start from, trusted to be near; none: the shape at rest.
-template <class Space, class Model>
+template <class Space>
 Solution<Spatial> solve(const Rod<Spatial>& rod, const Placement<Spatial>& clamp,
                         const Loads<Spatial>& loads, const std::vector<Quaternion>& start = {},
                         const Options& options = {}, const Trace& trace = {}) {
   require_rotation(clamp.frame, "clamp.frame");
   require_finite(clamp.position, "clamp.position");
   if (!start.empty()) require_frames(start, rod.edges(), "start");
-  const Cantilever<Space, Model> scene(restricted<Space>(rod), Point<Space>::Zero(),
-                                       Space::Rotation::Identity(),
-                                       restricted<Space>(loads, clamp.frame));
+  const Cantilever<Space> scene(restricted<Space>(rod), Point<Space>::Zero(),
+                                Space::Rotation::Identity(), restricted<Space>(loads, clamp.frame));
   if (start.empty()) return placed(scene.solve(options, trace), clamp);
   return placed(scene.solve(restricted<Space>(start, clamp.frame), options, trace), clamp);
 }
@@ -76,7 +76,7 @@ Solution<Spatial> the_rod(NetworkRun<Space>&& run) {
   return out;
 }
 
-/// Equilibrium of a rod held by `clamp`, with space and model chosen at run time, by whatever it
+/// Equilibrium of a rod held by `clamp`, with the space chosen at run time, by whatever it
 /// takes: loads that follow are solved as a network. So is a saddle, to leave it along its unstable
 /// mode, if a `stable` equilibrium is wanted. A template, so that only who calls it compiles all
 /// the solvers.
@@ -85,16 +85,15 @@ Solution<S> solve(const Rod<S>& rod, Dimension dimension, ModelKind model,
                   const Placement<Spatial>& clamp, const Loads<S>& loads,
                   const std::vector<Quaternion>& start = {}, const Options& options = {},
                   const Trace& trace = {}, bool stable = true) {
+  const auto of_model = in_model(rod, model);
   return in_space(dimension, [&]<class Space>(Space) {
     const auto as_network = [&](const std::vector<Quaternion>& frames) {
       const auto from = frames.empty() ? std::nullopt : std::optional(NetworkStart{frames, {}, {}});
-      return the_rod(run<Space>(held(in_model(rod, model), clamp, loads), clamp, from, options,
+      return the_rod(run<Space>(held(of_model, clamp, loads), clamp, from, options,
                                 {.stable = stable}, trace));
     };
     if (loads.follow()) return as_network(start);
-    auto found = with_model(model, [&]<class Model>(Model) {
-      return solve<Space, Model>(rod, clamp, loads, start, options, trace);
-    });
+    auto found = solve<Space>(of_model, clamp, loads, start, options, trace);
     return stable && found.index > 0 ? as_network(found.curve.frames) : found;
   });
 }

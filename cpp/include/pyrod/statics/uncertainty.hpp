@@ -48,7 +48,7 @@ class Uncertainty {
     problem_.rounding(x, rounding);
     double squares = 0;
     for_each_cell(mode.shape, [&](const auto& change, int rod, int j) {
-      const double row = rounding[problem_.first_row(layout_.edge(rod, j))];
+      const double row = rounding[layout_.frame_row(layout_.edge(rod, j))];
       squares += std::pow(change.norm() * row / 8, 2);
       out.bend = std::max(out.bend, change.norm() / rods_[rod].grid.Δs(j));
     });
@@ -64,7 +64,7 @@ class Uncertainty {
   template <class See>
   void for_each_cell(const Vector& step, const See& see) const {
     const auto turn = [&](int rod, int j) -> Spin<Space> {
-      return step.template segment<Space::spin>(problem_.first_row(layout_.edge(rod, j)));
+      return step.template segment<Space::spin>(layout_.frame_row(layout_.edge(rod, j)));
     };
     for (int rod = 0; rod < int(rods_.size()); ++rod)
       for (int j = 1; j < rods_[rod].edges(); ++j)
@@ -77,8 +77,7 @@ class Uncertainty {
     for (const auto& span : layout_.spans())
       if (span.block >= 0)
         out = std::max(
-            out,
-            (span.open * step.segment(problem_.first_row_of(span.block), span.open.cols())).norm());
+            out, (span.open * step.segment(layout_.row(span.block), span.open.cols())).norm());
     return out;
   }
 
