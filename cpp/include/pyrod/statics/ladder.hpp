@@ -187,8 +187,9 @@ class Ladder {
   /// each of which errs as much, tell its order only. Of the energy it is a square.
   void add_soft_errors(std::vector<double>& errors, const ErrorScales& all) const {
     const auto& soft = solution_.softness;
-    if (solution_.neutral || !soft.soft() || solution_.record.empty()) return;
-    const double turn = soft.drift / 8 + 2 * solution_.record.back().step * soft.left();
+    if (!soft.soft() || solution_.record.empty()) return;
+    const double open = solution_.neutral ? 0 : soft.drift / 8;  // else it is undone as a motion
+    const double turn = open + 2 * solution_.record.back().step * soft.left();
     const auto add = [&](Quantity what, double size) {
       auto& error = errors[std::size_t(what)];
       error += std::min(size, 2 * std::max(error - all.noise, 0.) + all.noise / 2);
