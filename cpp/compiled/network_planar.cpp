@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/compiled.hpp>
+#include <pyrod/statics/ladder/compiled.hpp>
 
 namespace pyrod {
 

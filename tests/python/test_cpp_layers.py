@@ -23,9 +23,9 @@ BELOW = {
 }
 """Folders, and those that they may include besides themselves."""
 NOT_YET = {
-    ("pyrod/scene/network.hpp", "pyrod/statics/loads.hpp"),
-    ("pyrod/scene/scene_on_grids.hpp", "pyrod/statics/loads.hpp"),
-    ("pyrod/scene/scene_on_grids.hpp", "pyrod/statics/point_loads.hpp"),
+    ("pyrod/scene/network.hpp", "pyrod/scene/loads.hpp"),
+    ("pyrod/scene/scene_on_grids.hpp", "pyrod/scene/loads.hpp"),
+    ("pyrod/scene/scene_on_grids.hpp", "pyrod/scene/point_loads.hpp"),
 }
 DEEPEST = 30
 """The longest chain of headers of which each includes the next. Fewer are better."""
@@ -72,4 +72,4 @@ def test_the_umbrella_has_all() -> None:
         if header not in reached:
             reached.add(header)
             todo += includes(header)
-    assert set(headers()) - reached == {"pyrod/statics/compiled.hpp"}
+    assert set(headers()) - reached == {"pyrod/statics/ladder/compiled.hpp"}

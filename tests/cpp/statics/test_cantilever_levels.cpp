@@ -2,7 +2,7 @@
 // A cantilever to a tolerance from C++ alone, and the levels it is made of.
 #include <pyrod/rod/refinement.hpp>
 #include <pyrod/rod/section.hpp>
-#include <pyrod/statics/cantilever_levels.hpp>
+#include <pyrod/statics/ladder/cantilever_levels.hpp>
 
 #include "support/near.hpp"
 

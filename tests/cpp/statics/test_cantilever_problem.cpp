@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/rotation/embedding.hpp>
-#include <pyrod/statics/cantilever_problem.hpp>
+#include <pyrod/statics/equations/cantilever_problem.hpp>
 
 #include "support/allocations.hpp"
 #include "support/dense.hpp"

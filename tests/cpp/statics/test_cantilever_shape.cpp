@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is told at some of the vertices is what is told at all of them, there.
-#include <pyrod/statics/cantilever_shape.hpp>
-#include <pyrod/statics/rung.hpp>
+#include <pyrod/statics/ladder/rung.hpp>
+#include <pyrod/statics/solution/cantilever_shape.hpp>
 
 #include "support/cantilever.hpp"
 #include "support/models.hpp"

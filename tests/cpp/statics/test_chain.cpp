@@ -3,7 +3,7 @@
 // instructions.
 #include <pyrod/solve/problem.hpp>
 #include <pyrod/sparse/block_symmetric.hpp>
-#include <pyrod/statics/chain_reach.hpp>
+#include <pyrod/statics/equations/chain_reach.hpp>
 
 #include "support/dense.hpp"
 #include "support/instructions.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pyrod/rod/moment_law.hpp>
-#include <pyrod/statics/extremes.hpp>
+#include <pyrod/statics/solution/extremes.hpp>
 
 #include "support/near.hpp"
 #include "support/random.hpp"

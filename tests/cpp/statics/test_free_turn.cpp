@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/free_turn.hpp>
+#include <pyrod/statics/ladder/free_turn.hpp>
 
 #include "support/near.hpp"
 #include "support/random.hpp"

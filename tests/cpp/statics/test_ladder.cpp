@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes that are no more than a rule what each level says.
-#include <pyrod/statics/ladder.hpp>
+#include <pyrod/statics/ladder/ladder.hpp>
 
 #include "support/near.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/loads.hpp>
+#include <pyrod/scene/loads.hpp>
 
 #include "support/models.hpp"
 #include "support/near.hpp"

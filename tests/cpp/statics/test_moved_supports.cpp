@@ -2,8 +2,8 @@
 // The last resort: supports moved from where the rods are at rest to where they are.
 #include <pyrod/solve/homotopy.hpp>
 #include <pyrod/solve/saddle_newton.hpp>
-#include <pyrod/statics/network_problem.hpp>
-#include <pyrod/statics/start.hpp>
+#include <pyrod/statics/equations/network_problem.hpp>
+#include <pyrod/statics/start/start.hpp>
 
 #include "support/models.hpp"
 #include "support/near.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts of rods over several supports.
-#include <pyrod/statics/start.hpp>
+#include <pyrod/statics/start/start.hpp>
 
 #include "support/models.hpp"
 #include "support/near.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/prolongation.hpp>
+#include <pyrod/statics/start/prolongation.hpp>
 
 #include "support/near.hpp"
 #include "support/random.hpp"

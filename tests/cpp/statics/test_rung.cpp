@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/rung.hpp>
+#include <pyrod/statics/ladder/rung.hpp>
 
 #include "support/near.hpp"
 #include "support/random.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/section_force.hpp>
+#include <pyrod/statics/equations/section_force.hpp>
 
 #include "support/dense.hpp"
 #include "support/difference.hpp"

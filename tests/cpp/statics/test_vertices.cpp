@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/vertices.hpp>
+#include <pyrod/statics/solution/vertices.hpp>
 
 #include "support/models.hpp"
 #include "support/near.hpp"

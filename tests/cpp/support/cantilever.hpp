@@ -2,7 +2,7 @@
 /// \file Clamped rods for tests. Their solver is compiled once, in cantilever.cpp.
 #pragma once
 
-#include <pyrod/statics/solve.hpp>
+#include <pyrod/statics/solving/solve.hpp>
 
 #include "support/models.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "support/random.hpp"
 
-#include <pyrod/statics/network_run.hpp>
+#include <pyrod/statics/solving/network_run.hpp>
 
 namespace pyrod::test {
 

@@ -8,8 +8,8 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/directions.hpp>
+#include <pyrod/scene/loads.hpp>
 #include <pyrod/scene/placement.hpp>
-#include <pyrod/statics/loads.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -9,13 +9,13 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/load.hpp>
+#include <pyrod/scene/loads.hpp>
 #include <pyrod/scene/place.hpp>
+#include <pyrod/scene/point_loads.hpp>
 #include <pyrod/scene/rod_on_grid.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/supports.hpp>
 #include <pyrod/scene/with_vertices.hpp>
-#include <pyrod/statics/loads.hpp>
-#include <pyrod/statics/point_loads.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pyrod/solve/options.hpp>
-#include <pyrod/statics/reached.hpp>
-#include <pyrod/statics/scene_solution.hpp>
+#include <pyrod/statics/solution/reached.hpp>
+#include <pyrod/statics/solution/scene_solution.hpp>
 
 #include <algorithm>
 #include <functional>

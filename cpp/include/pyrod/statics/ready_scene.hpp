@@ -5,7 +5,7 @@
 
 #include <pyrod/scene/scene_breaks.hpp>
 #include <pyrod/scene/scene_network.hpp>
-#include <pyrod/statics/ready_ladder.hpp>
+#include <pyrod/statics/ladder/ready_ladder.hpp>
 
 #include <map>
 #include <memory>

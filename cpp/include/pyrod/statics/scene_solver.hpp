@@ -4,7 +4,7 @@
 
 #include <pyrod/statics/doubts.hpp>
 #include <pyrod/statics/known_start.hpp>
-#include <pyrod/statics/level.hpp>
+#include <pyrod/statics/ladder/level.hpp>
 #include <pyrod/statics/ready_scene.hpp>
 #include <pyrod/statics/solver.hpp>
 
@@ -69,10 +69,9 @@ class SceneSolve {
   SceneSolution as_cantilever(const Start& start) const {
     const auto frames = start ? start->frames : std::vector<Quaternion>{};
     return in_space(scene().space, [&]<class Space>(Space) {
-      return scene_solution(
-          pyrod::solve<Space>(rod(), network().plane, ready_.grid().loads(0), frames,
-                              settings_.options, settings_.trace),
-          rod().edges() * Space::spin);
+      return scene_solution(pyrod::solve<Space>(rod(), network().plane, ready_.grid().loads(0),
+                                                frames, settings_.options, settings_.trace),
+                            rod().edges() * Space::spin);
     });
   }
 

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Dead loads on a rod, brought to the grid: forces to the vertices, couples to the edges.
+#pragma once
+
+#include <pyrod/scene/point_loads.hpp>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace pyrod {
+
+/// Loads fixed in space, all in spatial components. A force at a vertex acts on its position, a
+/// couple on an edge acts on its frame; the end couple acts on the end of the rod, behind the last
+/// half cell.
+template <class Space>
+struct Loads {
+  std::vector<Point<Space>> force;  ///< on the n + 1 vertices
+  std::vector<Spin<Space>> couple;  ///< on the n edges
+  Spin<Space> end_couple = Spin<Space>::Zero();
+  Spin<Space> start_couple = Spin<Space>::Zero();  ///< what falls to the start: no edge feels it
+  std::vector<Point<Space>> shares;            ///< of distributed forces: half of those on an edge
+  std::vector<Point<Space>> following_shares;  ///< the same, in the frame of the edge; or none
+  std::vector<FollowerForce<Space>> following_forces;
+  std::vector<FollowerCouple<Space>> following_couples;
+  Spin<Space> following_end_couple = Spin<Space>::Zero();  ///< in the frame of the end
+  std::vector<int> pushed;                                 ///< vertices on which point forces act
+  std::vector<VertexCouple<Space>> vertex_couples;         ///< are among the couples as well
+
+  explicit Loads(int edges)
+      : force(edges + 1, Point<Space>::Zero()), couple(edges, Spin<Space>::Zero()) {}
+
+  /// A force at a place, shared by the two vertices beside it as a lever would.
+  void add_force(const Grid& grid, const Point<Space>& F, const Site& at) {
+    check_edges(grid.edges());
+    note_force(at);
+    force[at.edge] += (1 - at.part) * F;
+    force[at.edge + 1] += at.part * F;
+  }
+  void add_force(const Grid& grid, const Point<Space>& F, double s) {
+    add_force(grid, F, Site::on(grid, s));
+  }
+
+  /// A couple at a place, shared by the two edges whose centres are beside it.
+  void add_couple(const Grid& grid, const Spin<Space>& M, const Site& at) {
+    check_edges(grid.edges());
+    if (at.is_end(grid)) {
+      end_couple += M;
+      return;
+    }
+    const auto [behind, t] = between_centres(grid, at);
+    (behind > 0 ? couple[behind - 1] : start_couple) += (1 - t) * M;
+    if (behind < grid.edges()) couple[behind] += t * M;
+    note_couple(grid, {behind, M, (1 - t) * M, t * M, false}, at);
+  }
+  void add_couple(const Grid& grid, const Spin<Space>& M, double s) {
+    add_couple(grid, M, Site::on(grid, s));
+  }
+
+  /// A force at a place in the components of the frame there: that of the edge; at a vertex between
+  /// those of the edges beside it, as it lies between their centres; at an end that of the edge,
+  /// turned on by the curvature at rest.
+  void add_following_force(const Grid& grid, const Point<Space>& F, const Site& at,
+                           const EndCurvature<Space>& K0 = {}) {
+    check_edges(grid.edges());
+    note_force(at);
+    const auto [j, t] = at;
+    const auto put = [&](int edge, int vertex, double part,
+                         const Spin<Space>& turn = Spin<Space>::Zero()) {
+      following_forces.push_back({edge, vertex, part * Point<Space>(rotate(exp(turn), F))});
+    };
+    if (t == 0 && j > 0)
+      put(j - 1, j, grid.h(j) / (2 * grid.Δs(j))), put(j, j, grid.h(j - 1) / (2 * grid.Δs(j)));
+    else if (t == 0)
+      put(0, 0, 1, -grid.h(0) / 2 * K0.start);
+    else if (t == 1)
+      put(j, j + 1, 1, grid.h(j) / 2 * K0.end);
+    else
+      put(j, j, 1 - t), put(j, j + 1, t);
+  }
+  void add_following_force(const Grid& grid, const Point<Space>& F, double s,
+                           const EndCurvature<Space>& K0 = {}) {
+    add_following_force(grid, F, Site::on(grid, s), K0);
+  }
+
+  void add_following_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
+    check_along(grid, f.size(), "force_per_length");
+    for (int j = 0; j < grid.edges(); ++j)
+      for (const int vertex : {j, j + 1})
+        following_forces.push_back({j, vertex, grid.h(j) / 2 * f[j]});
+    share_out(grid, f, following_shares);
+  }
+
+  /// A couple at a place in the components of the frame there, shared like a dead one. The frames
+  /// of the edges beside it are turned back by what the couple itself bends their halves,
+  /// `compliance` 1/C: else at a vertex the sum would be off by a part of h C⁻¹ M × M.
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, const Site& at,
+                            const Spin<Space>& compliance = Spin<Space>::Zero()) {
+    check_edges(grid.edges());
+    if (at.is_end(grid)) {
+      following_end_couple += M;
+      return;
+    }
+    const int n = grid.edges();
+    const auto [j, t] = between_centres(grid, at);
+    if (j == 0 || j == n) {
+      following_couples.push_back({j == 0 ? 0 : n - 1, M});
+      return;
+    }
+    const auto part = [&](double of, double length) -> Spin<Space> {
+      return of * rotate_spin(exp(Spin<Space>(length * of * compliance.cwiseProduct(M))), M);
+    };
+    const double apart = grid.Δs(j);
+    const Spin<Space> before = part(1 - t, t * apart), behind = part(t, (1 - t) * apart);
+    if (t < 1) following_couples.push_back({j - 1, before});
+    if (t > 0) following_couples.push_back({j, behind});
+    note_couple(grid, {j, M, before, behind, true}, at);
+  }
+  void add_following_couple(const Grid& grid, const Spin<Space>& M, double s,
+                            const Spin<Space>& compliance = Spin<Space>::Zero()) {
+    add_following_couple(grid, M, Site::on(grid, s), compliance);
+  }
+
+  void add_following_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
+    check_along(grid, l.size(), "moment_per_length");
+    for (int j = 0; j < grid.edges(); ++j) following_couples.push_back({j, grid.h(j) * l[j]});
+  }
+
+  /// Takes what acts at an inner vertex from the edges beside it, and keeps it as acting on a node:
+  /// the sum of what is dead, and of what follows the vertex, in its components.
+  std::pair<Spin<Space>, Spin<Space>> take_couples(int vertex) {
+    Spin<Space> dead = Spin<Space>::Zero(), following = dead;
+    for (auto& c : vertex_couples) {
+      if (c.vertex != vertex || c.on_node) continue;
+      c.on_node = true;
+      (c.follows ? following : dead) += c.couple;
+      for (const auto& [edge, part] :
+           {std::pair(vertex - 1, c.before), std::pair(vertex, c.behind)})
+        if (c.follows)
+          drop_following(edge, part);
+        else
+          couple[edge] -= part;
+    }
+    return {dead, following};
+  }
+
+  /// Force per length f on each edge: half of it goes to either end of the edge.
+  void add_force_per_length(const Grid& grid, const std::vector<Point<Space>>& f) {
+    check_along(grid, f.size(), "force_per_length");
+    const int n = grid.edges();
+    for (int j = 0; j < n; ++j) {
+      force[j] += grid.h(j) / 2 * f[j];
+      force[j + 1] += grid.h(j) / 2 * f[j];
+    }
+    share_out(grid, f, shares);
+  }
+
+  /// By how much distributed forces change the section force over half an edge whose frame is q.
+  Point<Space> share(int edge, const typename Space::Rotation& q) const {
+    Point<Space> sum = Point<Space>::Zero();
+    if (!shares.empty()) sum += shares[edge];
+    if (!following_shares.empty()) sum += rotate(q, following_shares[edge]);
+    return sum;
+  }
+
+  /// Moment per length on each edge.
+  void add_couple_per_length(const Grid& grid, const std::vector<Spin<Space>>& l) {
+    check_along(grid, l.size(), "moment_per_length");
+    for (int j = 0; j < grid.edges(); ++j) couple[j] += grid.h(j) * l[j];
+  }
+
+  /// n_{j-1/2}: the section force of every edge when the end is free, all that acts behind it.
+  std::vector<Point<Space>> section_forces() const {
+    std::vector<Point<Space>> n(couple.size());
+    Point<Space> sum = Point<Space>::Zero();
+    for (std::size_t j = n.size(); j-- > 0;) n[j] = sum += force[j + 1];
+    return n;
+  }
+
+  /// Sum of all dead couples.
+  Spin<Space> total_couple() const {
+    Spin<Space> sum = start_couple + end_couple;
+    for (const auto& m : couple) sum += m;
+    return sum;
+  }
+
+  /// Σ of the couples behind vertex j: the section moments of a rod that no force acts on.
+  std::vector<Spin<Space>> couples_behind() const {
+    std::vector<Spin<Space>> m(couple.size() + 1);
+    Spin<Space> sum = end_couple;
+    m[couple.size()] = sum;
+    for (std::size_t j = couple.size(); j-- > 0;) m[j] = sum += couple[j];
+    return m;
+  }
+
+  /// Whether some of it turns with the rod.
+  bool follow() const {
+    return !following_forces.empty() || !following_couples.empty() || !following_shares.empty() ||
+           !following_end_couple.isZero(0);
+  }
+
+  /// The lists fit each other, all that acts is finite, and so are the sums.
+  void check() const {
+    check_lists();
+    check_followers();
+    Point<Space> n = Point<Space>::Zero();  // what is not finite leaves no sum finite
+    for (std::size_t j = force.size(); j-- > 0;) n += force[j];
+    require(n.allFinite(), "loads: the section force is not finite, ", n.transpose());
+    Spin<Space> m = end_couple;
+    for (std::size_t j = couple.size(); j-- > 0;) m += couple[j];
+    m += start_couple;
+    require(m.allFinite(), "loads: the moments add up to what is not finite, ", m.transpose());
+  }
+
+  /// The same, on a rod of so many edges.
+  void check(int edges) const {
+    check_edges(edges);
+    check();
+  }
+
+  bool has_couples() const {
+    if (!end_couple.isZero(0)) return true;
+    for (const auto& m : couple)
+      if (!m.isZero(0)) return true;
+    return false;
+  }
+
+ private:
+  void check_edges(int edges) const {
+    require(int(couple.size()) == edges, "loads: made for ", couple.size(),
+            " edges, on a rod that has ", edges, "; make them by Loads(rod.edges())");
+    require_count(Eigen::Index(force.size()), edges + 1, "loads.force", "one per vertex");
+  }
+
+  void check_along(const Grid& grid, std::size_t count, std::string_view name) const {
+    check_edges(grid.edges());
+    require_count(Eigen::Index(count), grid.edges(), name, "one per edge");
+  }
+
+  void check_lists() const {
+    const auto edges = Eigen::Index(couple.size());
+    require_count(Eigen::Index(force.size()), edges + 1, "loads.force", "one per vertex");
+    for (const auto* list : {&shares, &following_shares}) {
+      if (list->empty()) continue;
+      require_count(Eigen::Index(list->size()), edges, "loads.shares", "one per edge, or none");
+      for (const auto& f : *list)
+        require(f.allFinite(), "loads: a distributed force is not finite, ", f.transpose());
+    }
+  }
+
+  void check_followers() const {
+    const int edges = int(couple.size());
+    for (const auto& f : following_forces)
+      require(f.edge >= 0 && f.edge < edges && (f.vertex == f.edge || f.vertex == f.edge + 1) &&
+                  f.force.allFinite(),
+              "loads: a following force on edge ", f.edge, " and vertex ", f.vertex, " of ", edges,
+              " edges, ", f.force.transpose(),
+              "; expected an edge of the rod, one of its two "
+              "vertices, and finite numbers");
+    for (const auto& c : following_couples)
+      require(c.edge >= 0 && c.edge < edges && c.couple.allFinite(),
+              "loads: a following moment on edge ", c.edge, " of ", edges, ", ",
+              c.couple.transpose(), "; expected an edge of the rod, and finite numbers");
+    require(following_end_couple.allFinite(), "loads: a following moment is not finite, ",
+            following_end_couple.transpose());
+  }
+
+  void drop_following(int edge, const Spin<Space>& part) {
+    const auto is = [&](const auto& c) { return c.edge == edge && c.couple == part; };
+    const auto found = std::ranges::find_if(following_couples, is);
+    if (found != following_couples.end()) following_couples.erase(found);
+  }
+
+  void note_force(const Site& at) {
+    if (const int j = at.vertex(); j >= 0) pushed.push_back(j);
+  }
+
+  /// Keeps a couple, shared by the edges beside its vertex, if that is its place.
+  void note_couple(const Grid& grid, const VertexCouple<Space>& shared, const Site& at) {
+    const int j = shared.vertex;
+    if (j > 0 && j < grid.edges() && at.vertex() == j) vertex_couples.push_back(shared);
+  }
+
+  /// The first edge whose centre is behind the place, and how far on the way to it from the centre
+  /// before (or the start) the place is; behind the last centre: the number of edges, 0.
+  static std::pair<int, double> between_centres(const Grid& grid, const Site& at) {
+    const auto [e, part] = at;
+    if (part < 0.5) {
+      if (e == 0) return {0, 2 * part};
+      return {e, (grid.h(e - 1) / 2 + part * grid.h(e)) / grid.Δs(e)};
+    }
+    if (e == grid.edges() - 1) return {e + 1, 0};
+    return {e + 1, (part - 0.5) * grid.h(e) / grid.Δs(e + 1)};
+  }
+
+  static void share_out(const Grid& grid, const std::vector<Point<Space>>& f,
+                        std::vector<Point<Space>>& out) {
+    out.resize(f.size(), Point<Space>::Zero());
+    for (int j = 0; j < grid.edges(); ++j) out[j] += grid.h(j) / 2 * f[j];
+  }
+};
+
+}  // namespace pyrod

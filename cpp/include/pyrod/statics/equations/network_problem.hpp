@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file Equilibrium of a network as a problem for the solver.
+///
+/// Unknown are the frames of the edges, what is not known of the section forces of the spans, and
+/// the frames and positions of nodes where they are needed (docs/theory.md, "Networks").
+#pragma once
+
+#include <pyrod/statics/equations/network_cells.hpp>
+#include <pyrod/statics/equations/network_scales.hpp>
+#include <pyrod/statics/equations/network_skew.hpp>
+#include <pyrod/statics/equations/network_spans.hpp>
+
+namespace pyrod {
+
+template <class Space>
+class NetworkProblem {
+ public:
+  using Rotation = typename Space::Rotation;
+  using State = NetworkState<Space>;
+  using Storage = Linearisation<BlockSymmetric>;
+  static constexpr int dim = Space::dim, spin = Space::spin;
+
+  /// `layout` must stay where it is.
+  explicit NetworkProblem(const Layout<Space>& layout)
+      : layout_(layout),
+        net_(layout.network()),
+        loads_(layout),
+        columns_(edge_columns(layout)),
+        scales_(layout) {}
+
+  const Layout<Space>& layout() const { return layout_; }
+
+  /// Lets only a part of all loads act.
+  void load(double part) { loads_.load(part); }
+  bool conservative() const { return loads_.conservative(); }
+
+  using Forces = typename NetworkLoads<Space>::Forces;
+  Forces forces(const State& x) const { return loads_.forces(x); }
+  /// The diagonal of the compliance of an edge.
+  Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }
+
+  Storage linearisation() const {
+    BlockSymmetric H(layout_.pattern());
+    const int size = H.size();
+    return {0, 0, Vector::Zero(size), std::move(H)};
+  }
+
+  bool fits(const Storage& made) const { return made.hessian.pattern() == layout_.pattern(); }
+
+  void linearise(const State& x, Curvature curvature, Storage& out) const {
+    if (curvature == Curvature::exact)
+      linearise<Curvature::exact>(x, out);
+    else
+      linearise<Curvature::convex>(x, out);
+  }
+
+  void move(const State& x, const Vector& δ, State& out) const {
+    out.frames.resize(x.frames.size());
+    out.forces = x.forces;
+    out.hinge_angles = x.hinge_angles;
+    out.node_frames = x.node_frames;
+    out.positions = x.positions;
+    for (int p = 0; p < int(x.forces.size()); ++p) {
+      const auto& span = layout_.spans()[p];
+      const int e = layout_.first_edge(p), edges = span.last - span.first;
+      dispatch(MoveFrames<Space>{edges, x.frames.data() + e, δ.data() + layout_.frame_row(e),
+                                 out.frames.data() + e});
+      if (span.block >= 0)
+        out.forces[p] += span.open * δ.segment(layout_.row(span.block), span.open.cols());
+    }
+    for (int i = 0; i < layout_.hinges(); ++i)
+      out.hinge_angles[i] += δ[layout_.row(layout_.hinge_block(i))];
+    for (int v = 0; v < int(net_.nodes.size()); ++v) {
+      const auto& node = net_.nodes[v];
+      if (const int b = layout_.turn_block(v); b >= 0)
+        out.node_frames[v] =
+            moved(x.node_frames[v],
+                  Spin<Space>(node.turns * δ.segment(layout_.row(b), node.turns.cols())));
+      if (const int b = layout_.place_block(v); b >= 0)
+        out.positions[v] += node.free * δ.segment(layout_.row(b), node.free.cols());
+    }
+  }
+
+  /// w = (tangent − its symmetric part) v.
+  void multiply_skew(const State& x, const Vector& v, Vector& out) const {
+    NetworkSkew<Space>(layout_, loads_, columns_).multiply(x, v, out);
+  }
+
+  const Vector& weights() const { return scales_.weights(); }
+  const Vector& units() const { return scales_.units(); }
+  const Vector& stiffness() const { return scales_.stiffness(); }
+  const Vector& softness() const { return scales_.softness(); }
+
+  void multiplier_sizes(const State& x, Vector& out) const {
+    Acting changed;
+    scales_.multiplier_sizes(x, loads_.acting(x, changed), out);
+  }
+  void rounding(const State& x, Vector& out) const {
+    Acting changed;
+    scales_.rounding(x, loads_.acting(x, changed), out);
+  }
+  double unit_energy() const { return layout_.unit_moment(); }
+
+ private:
+  using Acting = typename NetworkLoads<Space>::Acting;
+
+  template <Curvature kind>
+  void linearise(const State& x, Storage& out) const {
+    out.energy = out.magnitude = 0;
+    Acting changed;
+    const Acting& now = loads_.acting(x, changed);
+    const NetworkSpans<Space> spans(layout_, columns_, now.columns);
+    for (int p = 0; p < int(layout_.spans().size()); ++p) spans.template set<kind>(x, p, out);
+    const int nodes = layout_.row(layout_.first_node_block()), end = layout_.unknowns();
+    out.hessian.set_zero(nodes, end);
+    out.gradient.tail(end - nodes).setZero();
+    const NetworkCells<Space> cells(layout_);
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+      for (const auto& a : layout_.attached(rod)) cells.template add<kind>(x, a, out);
+    for (int v = 0; v < int(net_.nodes.size()); ++v) add_node<kind>(x, now, v, out);
+    for (const auto& [edge, m] : loads_.edge_couples())
+      add_couple(x.frames[edge], m, layout_.frame_row(edge), out);
+    for (const auto& [edge, m] : loads_.following_couples())
+      out.gradient.template segment<spin>(layout_.frame_row(edge)) -= m;
+  }
+
+  template <Curvature kind>
+  void add_node(const State& x, const Acting& now, int v, Storage& out) const {
+    const auto& node = net_.nodes[v];
+    if (const int b = layout_.place_block(v); b >= 0) add_place(x, now, v, b, out);
+    const int b = layout_.turn_block(v);
+    if (b < 0) return;
+    const Mat<spin> T = padded(node.turns);
+    if (node.torsion_spring > 0) {
+      const Spin<Space> u = log(principal(node.frame.conjugate() * x.node_frames[v]));
+      const Spin<Space> C = Spin<Space>::Constant(node.torsion_spring);
+      const auto jet = bend_twist<kind>(u, typename Space::Differential(u), C,
+                                        Spin<Space>(Spin<Space>::Zero()), 1.);
+      add_energy(jet.energy, out);
+      add_to_rows(layout_, b, Spin<Space>(T.transpose() * jet.b), out);
+      out.hessian.add_diagonal(b, Mat<spin>(T.transpose() * jet.bb * T));
+    }
+    const Spin<Space> m = rotate_spin(x.node_frames[v].conjugate(), loads_.node_moments()[v]) +
+                          loads_.following_moments()[v];
+    add_to_rows(layout_, b, Spin<Space>(-T.transpose() * m), out);
+    if constexpr (spin == 1) out.energy -= loads_.node_moments()[v][0] * x.node_frames[v].radians;
+  }
+
+  /// Balance of forces at a node: Σ n of the spans that end there − Σ n of those that start there
+  /// − what acts on it.
+  void add_place(const State& x, const Acting& now, int v, int b, Storage& out) const {
+    const auto& node = net_.nodes[v];
+    const Mat<dim> F = padded(node.free);
+    Point<Space> told = -now.nodes[v],
+                 asked = Point<Space>::Zero();  // what is known of the balance, or not
+    for (const auto& [p, end] : layout_.spans_at(v)) {
+      const auto& span = layout_.spans()[p];
+      const double sign = end ? 1 : -1;
+      told += sign * now.told[end ? layout_.last_edge(p) : layout_.first_edge(p)];
+      asked += sign * x.forces[p];
+      if (span.block >= 0) {
+        const Mat<dim> C = padded(span.open);
+        out.hessian.add(span.block, b, Mat<dim>(sign * C.transpose() * F));
+      }
+    }
+    const Point<Space> stretch = x.positions[v] - node.position;
+    add_energy(node.spring * stretch.squaredNorm() / 2 + told.dot(x.positions[v]), out);
+    add_to_rows(layout_, b, Point<Space>(F.transpose() * (told + asked + node.spring * stretch)),
+                out);
+    out.hessian.add_diagonal(b, Mat<dim>(node.spring * F.transpose() * F));
+  }
+
+  void add_couple(const Rotation& q, const Spin<Space>& m, int first, Storage& out) const {
+    out.gradient.template segment<spin>(first) -= rotate_spin(q.conjugate(), m);
+    if constexpr (spin == 1) out.energy -= m[0] * q.radians;
+  }
+
+  const Layout<Space>& layout_;
+  const Network<Space>& net_;
+  NetworkLoads<Space> loads_;
+  EdgeColumns<Space> columns_;
+  NetworkScales<Space> scales_;
+};
+
+}  // namespace pyrod

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file How the parts of a network add to its energy, gradient and Hessian.
+#pragma once
+
+#include <pyrod/solve/problem.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
+
+namespace pyrod {
+
+inline void add_energy(double energy, Linearisation<BlockSymmetric>& out) {
+  out.energy += energy;
+  out.magnitude += std::abs(energy);
+}
+
+/// The leading part, as much as the block has, goes to the gradient.
+template <class Space, int N>
+void add_to_rows(const Layout<Space>& layout, int block, const Vec<N>& part,
+                 Linearisation<BlockSymmetric>& out) {
+  const int size = layout.sizes()[block];
+  out.gradient.segment(layout.row(block), size) += part.head(size);
+}
+
+/// Directions as a matrix of fixed size: columns that are missing are zero.
+template <int N>
+Mat<N> padded(const Directions<N>& A) {
+  Mat<N> out = Mat<N>::Zero();
+  out.leftCols(A.cols()) = A;
+  return out;
+}
+
+}  // namespace pyrod

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file What is not symmetric in the tangent of a network: couples without a potential, and forces
+/// that follow frames.
+#pragma once
+
+#include <pyrod/rod/model.hpp>
+#include <pyrod/statics/equations/edge_columns.hpp>
+#include <pyrod/statics/equations/network_loads.hpp>
+
+namespace pyrod {
+
+template <class Space>
+class NetworkSkew {
+ public:
+  using Rotation = typename Space::Rotation;
+  using State = NetworkState<Space>;
+  static constexpr int spin = Space::spin;
+
+  NetworkSkew(const Layout<Space>& layout, const NetworkLoads<Space>& loads,
+              const EdgeColumns<Space>& columns)
+      : layout_(layout), net_(layout.network()), loads_(loads), columns_(columns) {}
+
+  /// w = (tangent − its symmetric part) v: couples that do not follow a potential, and the change
+  /// of forces that follow frames.
+  void multiply(const State& x, const Vector& v, Vector& out) const {
+    out.setZero(v.size());
+    for (const auto& [edge, m] : loads_.edge_couples())
+      add_couple_skew(x.frames[edge], m, layout_.frame_row(edge), v, out);
+    for (int node = 0; node < int(net_.nodes.size()); ++node)
+      if (const int b = layout_.turn_block(node); b >= 0 && spin == 3) {
+        const auto& T = net_.nodes[node].turns;
+        const Spin<Space> φ = T * v.segment(layout_.row(b), T.cols());
+        const Spin<Space> m =
+            rotate_spin(x.node_frames[node].conjugate(), loads_.node_moments()[node]) -
+            loads_.following_moments()[node];
+        out.segment(layout_.row(b), T.cols()) += T.transpose() * (spin_skew(φ) * m / 2);
+      }
+    if (loads_.follow()) add_following_skew(x, v, out);
+  }
+
+ private:
+  /// −½ [Rᵀm]: with it the tangent is that of the residual in the coordinates exp(φ).
+  void add_couple_skew(const Rotation& q, const Spin<Space>& m, int first, const Vector& v,
+                       Vector& out) const {
+    out.segment<spin>(first) +=
+        spin_skew(Spin<Space>(v.segment<spin>(first))) * rotate_spin(q.conjugate(), m) / 2;
+  }
+
+  void add_following_skew(const State& x, const Vector& v, Vector& out) const {
+    typename NetworkLoads<Space>::Acting change;
+    change.vertices = loads_.dead_forces();
+    for (auto& rod : change.vertices) std::fill(rod.begin(), rod.end(), Point<Space>::Zero());
+    const auto turn_of = [&](int e) { return Spin<Space>(v.segment<spin>(layout_.frame_row(e))); };
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+      for (const auto& f : net_.loads[rod].following_forces) {
+        const int e = layout_.edge(rod, f.edge);
+        change.vertices[rod][f.vertex] -=
+            loads_.part() * rotate(x.frames[e], Point<Space>(skew(f.force) * turn_of(e)));
+      }
+    }
+    for (const auto& [edge, m] : loads_.following_couples())  // +½ [M]
+      out.segment<spin>(layout_.frame_row(edge)) -= spin_skew(turn_of(edge)) * m / 2;
+    loads_.tell(change, 0);
+    const auto &dn = change.told, n = loads_.forces(x).sections;
+    for (const auto& span : layout_.spans()) {
+      Point<Space> reach = Point<Space>::Zero();
+      for (int j = span.first; j < span.last; ++j) {
+        const int e = layout_.edge(span.rod, j);
+        const double h = net_.rods[span.rod].grid.h(j);
+        const Point<Space> S = columns_.compliance[e], b = unrotate(x.frames[e], n[e]);
+        const Point<Space> db = unrotate(x.frames[e], dn[e]), dΓ = S.cwiseProduct(db);
+        out.segment<spin>(layout_.frame_row(e)) +=
+            h * (cross(db, Point<Space>(axis<Space>() + S.cwiseProduct(b))) + cross(b, dΓ));
+        reach += h * rotate(x.frames[e], dΓ);
+      }
+      if (span.block >= 0)
+        out.segment(layout_.row(span.block), span.open.cols()) -= span.open.transpose() * reach;
+    }
+    for (int node = 0; node < int(net_.nodes.size()); ++node)
+      if (const int b = layout_.place_block(node); b >= 0) {
+        Point<Space> balance = -change.nodes[node];
+        for (const auto& [p, end] : layout_.spans_at(node)) {
+          const auto& span = layout_.spans()[p];
+          if (end)
+            balance += dn[layout_.edge(span.rod, span.last - 1)];
+          else
+            balance -= dn[layout_.edge(span.rod, span.first)];
+        }
+        const auto& F = net_.nodes[node].free;
+        out.segment(layout_.row(b), F.cols()) += F.transpose() * balance;
+      }
+  }
+
+  const Layout<Space>& layout_;
+  const Network<Space>& net_;
+  const NetworkLoads<Space>& loads_;
+  const EdgeColumns<Space>& columns_;
+};
+
+}  // namespace pyrod

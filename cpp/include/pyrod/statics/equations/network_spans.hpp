@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The rows of the spans of a network: turning inside a span, the section force in it, and
+/// how far it reaches.
+///
+/// They are written, not added to, as they are nearly all of the matrix; so they come first.
+#pragma once
+
+#include <pyrod/statics/equations/chain_reach.hpp>
+#include <pyrod/statics/equations/network_rows.hpp>
+
+#include <array>
+
+namespace pyrod {
+
+template <class Space>
+class NetworkSpans {
+ public:
+  using Rotation = typename Space::Rotation;
+  using State = NetworkState<Space>;
+  using Storage = Linearisation<BlockSymmetric>;
+  static constexpr int dim = Space::dim, spin = Space::spin;
+
+  /// `told`: what the loads tell of the section forces.
+  NetworkSpans(const Layout<Space>& layout, const EdgeColumns<Space>& columns,
+               const Columns<dim>& told)
+      : layout_(layout), columns_(columns), told_(told) {}
+
+  /// Writes the rows of span p.
+  template <Curvature kind>
+  void set(const State& x, int p, Storage& out) const {
+    const auto& span = layout_.spans()[p];
+    const int e = layout_.first_edge(p), row = layout_.frame_row(e), edges = span.last - span.first;
+    const Rotation* frames = x.frames.data() + e;
+    const Chain<Space> chain{edges, e, columns_, told_, x.forces[p], frames[0], frames};
+    for (const int r : {row, row + spin * (edges - 1)}) out.hessian.set_zero(r, r + spin);
+    ChainRows<Space> rows{out.gradient.data() + row, out.hessian.template chain<spin>(row, edges)};
+    dispatch(ChainLinearisation<Space, kind>(chain, rows));
+    out.energy += rows.energy;
+    out.magnitude += rows.magnitude;
+    if (span.block >= 0) set_force(x, chain, p, out);
+  }
+
+ private:
+  /// The rows of the force: the span reaches from node to node.
+  void set_force(const State& x, const Chain<Space>& chain, int p, Storage& out) const {
+    const auto& span = layout_.spans()[p];
+    const int row = layout_.row(span.block), open = int(span.open.cols());
+    const Mat<dim> C = padded(span.open);
+    const BlockColumns to = out.hessian.columns(row);
+    std::array<double*, dim> levers{};
+    for (int k = 0; k < open; ++k) levers[k] = to[k];
+    Reach<Space> reach;
+    dispatch(ChainReach<Space>(chain, C, open, levers, reach));
+    const Point<Space> apart = x.positions[span.end] - x.positions[span.start];
+    out.gradient.segment(row, open) =
+        (C.transpose() * (apart - reach.rigid - reach.strained)).head(open);
+    const Mat<dim> give = reach.give.template selfadjointView<Eigen::Upper>();
+    for (int k = 0; k < open; ++k)
+      for (int i = 0; i <= k; ++i) to[k][to.above + i] = -C.col(i).dot(give * C.col(k));
+    out.energy += x.forces[p].dot(apart);
+  }
+
+  const Layout<Space>& layout_;
+  const EdgeColumns<Space>& columns_;
+  const Columns<dim>& told_;
+};
+
+}  // namespace pyrod

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file The unknowns of a network: which there are, and how they are numbered.
+#pragma once
+
+#include <pyrod/sparse/block_symmetric.hpp>
+#include <pyrod/statics/unknowns/known_forces.hpp>
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+
+namespace pyrod {
+
+template <class Space>
+class Layout {
+ public:
+  static constexpr int dim = Space::dim, spin = Space::spin;
+
+  explicit Layout(Network<Space> network) : known_(std::move(network)) {
+    set_units(known_.cut());
+    number(known_.cut());
+  }
+
+  const KnownForces<Space>& known() const { return known_; }
+  const Network<Space>& network() const { return known_.cut().network; }
+  const std::vector<Span<Space>>& spans() const { return known_.cut().spans; }
+  /// Attachments of a rod, in the order of its vertices.
+  const std::vector<Attachment<Space>>& attached(int rod) const {
+    return known_.cut().attached[rod];
+  }
+  /// The spans at a node, with whether they end there.
+  const std::vector<std::pair<int, bool>>& spans_at(int node) const {
+    return known_.cut().spans_at[node];
+  }
+  int edges() const { return known_.cut().edges(); }
+  /// Number of edge j of a rod among all edges.
+  int edge(int rod, int j) const { return known_.cut().edge(rod, j); }
+  int hinges() const { return known_.cut().hinges; }
+  /// The position of the node follows from that of others.
+  bool derived(int node) const { return known_.derived(node); }
+
+  int frame_block(int e) const { return frame_block_[e]; }
+  /// −1: the frame, or the position, of the node is no unknown.
+  int turn_block(int node) const { return turn_block_[node]; }
+  int place_block(int node) const { return place_block_[node]; }
+  int hinge_block(int hinge) const { return hinge_block_[hinge]; }
+  /// Number of the first unknown of a block, and of the frame of an edge.
+  int row(int block) const { return rows_[block]; }
+  int frame_row(int e) const { return rows_[frame_block_[e]]; }
+  int unknowns() const { return rows_.back(); }
+  /// Numbers of the first and the last edge of a span among all edges.
+  int first_edge(int p) const { return edge(spans()[p].rod, spans()[p].first); }
+  int last_edge(int p) const { return edge(spans()[p].rod, spans()[p].last - 1); }
+  /// Blocks before it belong to spans.
+  int first_node_block() const { return first_node_block_; }
+  const BlockPattern& pattern() const { return pattern_; }
+  /// Of the blocks.
+  const std::vector<int>& sizes() const { return pattern_.sizes; }
+  /// The length of the free directions of a node: that of the longest rod on it.
+  double unit_length(int node) const { return node_length_[node]; }
+  /// EI/L² of a span, the length of its open directions.
+  double unit_force(int span) const { return span_moment_[span] / span_length_[span]; }
+  /// EI/L of a span, of a rod, and of all rods in the geometric mean.
+  double span_moment(int span) const { return span_moment_[span]; }
+  double span_length(int span) const { return span_length_[span]; }
+  double rod_moment(int rod) const { return rod_moment_[rod]; }
+  double unit_moment() const { return moment_; }
+
+ private:
+  using Couplings = std::vector<std::pair<int, int>>;
+
+  /// Each part is measured by itself: what is stiff or long elsewhere does not count.
+  void set_units(Spans<Space>& cut) {
+    double stiffness = 0, length = 0;
+    std::vector<double> bending;  // geometric means
+    for (const auto& rod : cut.network.rods) {
+      double sum = 0;
+      for (const auto& C : rod.bending) sum += std::log(C.maxCoeff());
+      bending.push_back(std::exp(sum / double(rod.bending.size())));
+      rod_moment_.push_back(bending.back() / rod.grid.length());
+      stiffness += sum / double(rod.bending.size());
+      length = std::max(length, rod.grid.length());
+    }
+    moment_ = std::exp(stiffness / double(cut.network.rods.size())) / length;
+    node_length_.assign(cut.network.nodes.size(), 0);
+    for (auto& span : cut.spans) {
+      const auto& grid = cut.network.rods[span.rod].grid;
+      span_length_.push_back(grid.s(span.last) - grid.s(span.first));
+      span_moment_.push_back(bending[span.rod] / span_length_.back());
+      for (const int v : {span.start, span.end})
+        node_length_[v] = std::max(node_length_[v], grid.length());
+    }
+    for (int p = 0; p < int(cut.spans.size()); ++p) cut.spans[p].open *= unit_force(p);
+    for (std::size_t v = 0; v < cut.network.nodes.size(); ++v) {
+      if (node_length_[v] == 0) node_length_[v] = length;  // no rod is there
+      cut.network.nodes[v].free *= node_length_[v];
+    }
+  }
+
+  /// Span by span along each rod: the frames, then the force, so that nothing of it fills the
+  /// frames that follow; the nodes last.
+  void number(Spans<Space>& cut) {
+    turn_block_.assign(cut.network.nodes.size(), -1);
+    place_block_ = turn_block_;
+    hinge_block_.assign(cut.hinges, -1);
+    frame_block_.assign(edges(), -1);
+    Couplings couplings;
+    for (auto& span : cut.spans) {
+      for (int j = span.first; j < span.last; ++j) {
+        frame_block_[edge(span.rod, j)] = new_block(spin);
+        if (j > span.first)
+          couplings.emplace_back(frame_block_[edge(span.rod, j - 1)], last_block());
+      }
+      if (span.open.cols() == 0) continue;
+      span.block = new_block(int(span.open.cols()));
+      for (int j = span.first; j < span.last; ++j)
+        couplings.emplace_back(frame_block_[edge(span.rod, j)], span.block);
+    }
+    couple_through_nodes(cut, couplings);
+    first_node_block_ = pattern_.blocks();
+    for (const int v : node_order(cut)) number_node(cut, v);
+    couple_with_nodes(cut, couplings);
+    pattern_ = BlockPattern(std::move(pattern_.sizes), couplings);
+    rows_.assign(1, 0);
+    for (const int size : pattern_.sizes) rows_.push_back(rows_.back() + size);
+  }
+
+  int new_block(int size) {
+    pattern_.sizes.push_back(size);
+    return last_block();
+  }
+  int last_block() const { return pattern_.blocks() - 1; }
+
+  void couple_through_nodes(const Spans<Space>& cut, Couplings& couplings) const {
+    for (const auto& on : cut.attached)
+      for (const auto& a : on) {
+        const auto [before, behind] = cut.edges_at(a);
+        if (a.rigid || before < 0 || behind < 0 || before == behind) continue;
+        couplings.push_back(std::minmax(frame_block_[before], frame_block_[behind]));
+      }
+  }
+
+  void number_node(const Spans<Space>& cut, int v) {
+    const auto& node = cut.network.nodes[v];
+    if (v < int(cut.hinged.size()))
+      for (const int h : cut.hinged[v]) hinge_block_[h] = new_block(1);
+    if (cut.has_frame[v] && node.turns.cols() > 0)
+      turn_block_[v] = new_block(int(node.turns.cols()));
+    if (node.free.cols() > 0 && !derived(v)) place_block_[v] = new_block(int(node.free.cols()));
+  }
+
+  void couple_with_nodes(const Spans<Space>& cut, Couplings& couplings) const {
+    const auto add = [&](int I, int J) {
+      if (I >= 0) couplings.emplace_back(I, J);
+    };
+    for (const auto& on : cut.attached)
+      for (const auto& a : on) {
+        if (!a.rigid) continue;
+        const auto [before, behind] = cut.edges_at(a);
+        if (a.hinge) {
+          const int hinge = hinge_block_[a.hinge_number];
+          for (const int e : {before, behind})
+            if (e >= 0) add(frame_block_[e], hinge);
+          if (turn_block_[a.node] >= 0) add(hinge, turn_block_[a.node]);
+        }
+        if (turn_block_[a.node] < 0) continue;
+        if (before >= 0) add(frame_block_[before], turn_block_[a.node]);
+        if (behind >= 0) add(frame_block_[behind], turn_block_[a.node]);
+      }
+    for (const auto& span : cut.spans)
+      for (const int v : {span.start, span.end})
+        if (place_block_[v] >= 0) add(span.block, place_block_[v]);
+  }
+
+  /// Nodes in the order of approximate minimum degree in the graph of spans.
+  static std::vector<int> node_order(const Spans<Space>& cut) {
+    const int n = int(cut.network.nodes.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int v = 0; v < n; ++v) entries.emplace_back(v, v, 1.);
+    for (const auto& span : cut.spans)
+      if (span.start != span.end) {
+        entries.emplace_back(span.start, span.end, 1.);
+        entries.emplace_back(span.end, span.start, 1.);
+      }
+    Eigen::SparseMatrix<double> graph(n, n);
+    graph.setFromTriplets(entries.begin(), entries.end());
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::AMDOrdering<int>()(graph, order);
+    return {order.indices().begin(), order.indices().end()};
+  }
+
+  KnownForces<Space> known_;
+  std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_;
+  std::vector<int> rows_;  ///< first of each block, and behind the last
+  BlockPattern pattern_;
+  int first_node_block_ = 0;
+  std::vector<double> span_moment_, span_length_, rod_moment_, node_length_;
+  double moment_ = 1;
+};
+
+}  // namespace pyrod
