@@ -62,9 +62,7 @@ fuzz: $(VENV)/package ## look for scene files that break the reader, for five mi
 	@$(PY) tests/fuzz/scene_file.py build/fuzz examples/scenes -max_total_time=300
 
 CXX_FILES = $(shell find cpp tests/cpp benchmarks examples -name '*.[ch]pp')
-# Not yet: statics, and what is being rebuilt with it.
-TIDY_FILES = $(filter-out %/newton.hpp %/saddle_newton.hpp %/scene_network.hpp, \
-             $(shell find cpp/include -name '*.hpp' -not -path '*/statics/*'))
+TIDY_FILES = $(shell find cpp/include -name '*.hpp')
 TIDY_FLAGS = -x c++ -std=c++20 -Icpp/include -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
 
 lint: $(VENV)/dev-tools ## check style and types

@@ -8,3 +8,7 @@
 #include <pyrod/scene/with_vertices.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/solver.hpp>
+
+#ifndef PYROD_COMPILED
+#include <pyrod/statics/scene_solver.hpp>
+#endif

@@ -10,6 +10,7 @@
 #include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/bend_twist.hpp>
 #include <pyrod/rod/model.hpp>
+#include <pyrod/rod/rod.hpp>
 #include <pyrod/rod/stretch_shear.hpp>
 #include <pyrod/rotation/space.hpp>
 

@@ -2,9 +2,19 @@
 /// \file What is given on the vertices and edges of one grid, brought to another of the same rod.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/rod/jump.hpp>
+#include <pyrod/rod/model.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/along.hpp>
 #include <pyrod/scene/rod_spec.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

@@ -11,7 +11,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,9 +2,13 @@
 /// \file Dead loads on a rod, brought to the grid: forces to the vertices, couples to the edges.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/point_loads.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -4,6 +4,7 @@
 
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
+#include <pyrod/rod/model.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/along.hpp>

@@ -5,6 +5,7 @@
 #include <pyrod/core/types.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>

@@ -2,11 +2,26 @@
 /// \file Vertices where the functions of arc length in a scene jump or have kinks.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/rod/section.hpp>
+#include <pyrod/scene/along.hpp>
 #include <pyrod/scene/breaks.hpp>
+#include <pyrod/scene/load.hpp>
+#include <pyrod/scene/rod_spec.hpp>
+#include <pyrod/scene/samples.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/with_vertices.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <span>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace pyrod {
 

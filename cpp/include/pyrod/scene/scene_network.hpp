@@ -2,10 +2,28 @@
 /// \file A scene as rods that meet in nodes.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/frame_along.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/choice.hpp>
+#include <pyrod/scene/joint.hpp>
 #include <pyrod/scene/network.hpp>
+#include <pyrod/scene/place.hpp>
+#include <pyrod/scene/placement.hpp>
 #include <pyrod/scene/rest.hpp>
+#include <pyrod/scene/scene_on_grids.hpp>
+#include <pyrod/scene/supports.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace pyrod {
 

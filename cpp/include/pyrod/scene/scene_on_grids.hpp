@@ -8,6 +8,7 @@
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/along.hpp>
+#include <pyrod/scene/arrays_on_grid.hpp>
 #include <pyrod/scene/load.hpp>
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/scene/place.hpp>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <variant>
 #include <vector>

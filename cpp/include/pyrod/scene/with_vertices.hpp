@@ -2,9 +2,16 @@
 /// \file A rod with vertices where they are wanted.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/scene/along.hpp>
 #include <pyrod/scene/rod_spec.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <vector>
 
 namespace pyrod {
 

@@ -5,6 +5,8 @@
 /// step is tried first and nearly always taken (docs/theory.md, "The solver").
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/options.hpp>
 #include <pyrod/solve/problem.hpp>
@@ -13,9 +15,12 @@
 #include <pyrod/solve/workspace.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -7,13 +7,23 @@
 /// measured by the augmented Lagrangian with the new multipliers, or by the next simplified step.
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
 #include <pyrod/solve/anchor.hpp>
+#include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/mode.hpp>
 #include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/options.hpp>
+#include <pyrod/solve/problem.hpp>
 #include <pyrod/solve/saddle_tests.hpp>
 #include <pyrod/solve/saddle_workspace.hpp>
+#include <pyrod/solve/status.hpp>
+#include <pyrod/solve/workspace.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace pyrod {
 

@@ -2,10 +2,13 @@
 /// \file What Newton's method asks of a step where constraints hold.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/solve/multipliers.hpp>
 #include <pyrod/solve/problem.hpp>
 #include <pyrod/solve/shifted_factor.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace pyrod {

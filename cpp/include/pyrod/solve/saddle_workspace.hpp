@@ -2,8 +2,11 @@
 /// \file What Newton's method stores beside the state where constraints hold.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/solve/shifted_factor.hpp>
 #include <pyrod/solve/workspace.hpp>
+
+#include <cstddef>
 
 namespace pyrod {
 

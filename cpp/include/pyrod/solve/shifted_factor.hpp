@@ -15,6 +15,7 @@
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>

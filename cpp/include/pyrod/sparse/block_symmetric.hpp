@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/sparse/block_pattern.hpp>
+#include <pyrod/sparse/chain_columns.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <algorithm>

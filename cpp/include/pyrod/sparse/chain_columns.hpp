@@ -3,6 +3,9 @@
 #pragma once
 
 #include <pyrod/core/pack.hpp>
+#include <pyrod/core/types.hpp>
+
+#include <cstddef>
 
 namespace pyrod {
 

@@ -2,9 +2,20 @@
 /// \file What one should know before trusting an equilibrium.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/curve/cosserat.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/equilibrium.hpp>
+#include <pyrod/statics/solution/quantity.hpp>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,15 +2,26 @@
 /// \file The answer: a scene in equilibrium, and how it was found.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/options.hpp>
+#include <pyrod/solve/status.hpp>
+#include <pyrod/statics/solution/quantity.hpp>
 #include <pyrod/statics/solution/reached.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/solution/scene_solution.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace pyrod {
 

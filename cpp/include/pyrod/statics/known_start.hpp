@@ -2,8 +2,18 @@
 /// \file The shape that a user knows, as a start on the edges of a scene.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/scene/along.hpp>
+#include <pyrod/scene/arrays_on_grid.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/ready_scene.hpp>
+#include <pyrod/statics/start/network_start.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace pyrod::detail {
 

@@ -3,13 +3,22 @@
 /// they are asked for.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/scene_breaks.hpp>
 #include <pyrod/scene/scene_network.hpp>
+#include <pyrod/scene/supports.hpp>
 #include <pyrod/statics/ladder/ready_ladder.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
+#include <variant>
 
 namespace pyrod {
 

@@ -2,11 +2,16 @@
 /// \file How a scene is solved: as a cantilever or as a network, on its edges or to a tolerance.
 #pragma once
 
+#include <pyrod/scene/scene.hpp>
 #include <pyrod/statics/doubts.hpp>
+#include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/known_start.hpp>
 #include <pyrod/statics/ladder/level.hpp>
 #include <pyrod/statics/ready_scene.hpp>
 #include <pyrod/statics/solver.hpp>
+
+#include <concepts>
+#include <utility>
 
 namespace pyrod {
 

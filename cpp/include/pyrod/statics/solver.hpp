@@ -48,7 +48,3 @@ extern template class SceneSolver<Settings>;
 #endif
 
 }  // namespace pyrod
-
-#ifndef PYROD_COMPILED
-#include <pyrod/statics/scene_solver.hpp>
-#endif

@@ -7,10 +7,20 @@
 /// minimised is W_bt − Σ h (b·e3 + ½ b·S b), b = Rᵀn (docs/theory.md, "Unknowns").
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/frames.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/solve/problem.hpp>
+#include <pyrod/sparse/symmetric.hpp>
 #include <pyrod/statics/equations/chain.hpp>
+#include <pyrod/statics/equations/edge_columns.hpp>
+
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

@@ -3,11 +3,20 @@
 /// a span of a network.
 #pragma once
 
+#include <pyrod/core/columns.hpp>
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/pack.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/rod/bend_twist.hpp>
 #include <pyrod/rotation/frames.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/sparse/chain_columns.hpp>
 #include <pyrod/statics/equations/edge_columns.hpp>
 #include <pyrod/statics/equations/section_force.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace pyrod {
 

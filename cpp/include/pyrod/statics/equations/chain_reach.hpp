@@ -3,7 +3,13 @@
 /// holds its ends.
 #pragma once
 
+#include <pyrod/core/pack.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/equations/chain.hpp>
+
+#include <array>
+#include <cstddef>
 
 namespace pyrod {
 

@@ -4,7 +4,12 @@
 
 #include <pyrod/core/columns.hpp>
 #include <pyrod/rod/model.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/planar.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
+
+#include <vector>
 
 namespace pyrod {
 

@@ -3,8 +3,17 @@
 /// and the node or hinge that holds it.
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/rod/bend_twist.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/solve/problem.hpp>
+#include <pyrod/sparse/block_symmetric.hpp>
 #include <pyrod/statics/equations/network_rows.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
 
 namespace pyrod {
 

@@ -4,7 +4,14 @@
 
 #include <pyrod/core/columns.hpp>
 #include <pyrod/rod/moment_law.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/statics/unknowns/known_forces.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
+
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -5,10 +5,20 @@
 /// the frames and positions of nodes where they are needed (docs/theory.md, "Networks").
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/frames.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/solve/problem.hpp>
+#include <pyrod/sparse/block_symmetric.hpp>
 #include <pyrod/statics/equations/network_cells.hpp>
 #include <pyrod/statics/equations/network_scales.hpp>
 #include <pyrod/statics/equations/network_skew.hpp>
 #include <pyrod/statics/equations/network_spans.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
+
+#include <utility>
 
 namespace pyrod {
 

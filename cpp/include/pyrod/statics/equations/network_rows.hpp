@@ -2,8 +2,14 @@
 /// \file How the parts of a network add to its energy, gradient and Hessian.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/scene/directions.hpp>
 #include <pyrod/solve/problem.hpp>
+#include <pyrod/sparse/block_symmetric.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
+
+#include <cstdlib>
 
 namespace pyrod {
 

@@ -2,10 +2,17 @@
 /// \file What the unknowns of a network are measured by.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/equations/network_loads.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace pyrod {
 

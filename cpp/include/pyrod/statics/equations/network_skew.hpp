@@ -3,9 +3,13 @@
 /// that follow frames.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/rod/model.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/equations/edge_columns.hpp>
 #include <pyrod/statics/equations/network_loads.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
 
 namespace pyrod {
 

@@ -5,8 +5,19 @@
 /// They are written, not added to, as they are nearly all of the matrix; so they come first.
 #pragma once
 
+#include <pyrod/core/columns.hpp>
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/solve/problem.hpp>
+#include <pyrod/sparse/block_symmetric.hpp>
+#include <pyrod/sparse/chain_columns.hpp>
+#include <pyrod/statics/equations/chain.hpp>
 #include <pyrod/statics/equations/chain_reach.hpp>
+#include <pyrod/statics/equations/edge_columns.hpp>
 #include <pyrod/statics/equations/network_rows.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <array>
 

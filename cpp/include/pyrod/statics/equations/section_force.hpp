@@ -3,7 +3,10 @@
 #pragma once
 
 #include <pyrod/core/curvature.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
+
+#include <cmath>
 
 namespace pyrod {
 

@@ -2,12 +2,27 @@
 /// \file A cantilever on the levels of the accuracy ladder.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/curve/grid.hpp>
 #include <pyrod/rod/refinement.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/loads.hpp>
+#include <pyrod/scene/placement.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/options.hpp>
 #include <pyrod/statics/ladder/ladder.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
+#include <pyrod/statics/solution/scene_solution.hpp>
+#include <pyrod/statics/solving/cantilever.hpp>
 #include <pyrod/statics/solving/solve.hpp>
 #include <pyrod/statics/start/prolongation.hpp>
 
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,7 +2,23 @@
 /// \file The solvers that the compiled library holds: a network takes a compiler most of a minute.
 #pragma once
 
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/scene/loads.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/scene/placement.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/options.hpp>
 #include <pyrod/statics/ladder/level.hpp>
+#include <pyrod/statics/ladder/ready_ladder.hpp>
+#include <pyrod/statics/solving/cantilever.hpp>
+#include <pyrod/statics/solving/network_options.hpp>
+#include <pyrod/statics/solving/network_run.hpp>
+#include <pyrod/statics/start/network_start.hpp>
+
+#include <optional>
+#include <vector>
 
 namespace pyrod {
 

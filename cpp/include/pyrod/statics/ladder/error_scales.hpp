@@ -2,9 +2,15 @@
 /// \file What errors are relative to, and what rounding allows no less than.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/statics/ladder/rung.hpp>
+#include <pyrod/statics/solution/quantity.hpp>
+#include <pyrod/statics/solution/rounding.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

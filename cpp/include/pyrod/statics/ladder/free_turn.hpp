@@ -3,9 +3,16 @@
 /// that a rung is turned back onto the one before.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/spatial.hpp>
 #include <pyrod/statics/ladder/rung.hpp>
+#include <pyrod/statics/solution/scene_solution.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace pyrod {
 

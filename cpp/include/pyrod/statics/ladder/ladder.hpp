@@ -3,15 +3,33 @@
 /// what they tend to, until the error wanted is reached (docs/theory.md, "The ladder").
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/solve/extrapolation.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/status.hpp>
 #include <pyrod/statics/ladder/error_scales.hpp>
 #include <pyrod/statics/ladder/free_turn.hpp>
+#include <pyrod/statics/ladder/rung.hpp>
+#include <pyrod/statics/solution/quantity.hpp>
 #include <pyrod/statics/solution/reached.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
+#include <pyrod/statics/solution/scene_solution.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

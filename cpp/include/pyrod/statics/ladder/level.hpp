@@ -2,10 +2,20 @@
 /// \file One level of a climb, whatever the scene is.
 #pragma once
 
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/placement.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/options.hpp>
 #include <pyrod/statics/ladder/cantilever_levels.hpp>
 #include <pyrod/statics/ladder/network_levels.hpp>
 #include <pyrod/statics/ladder/ready_ladder.hpp>
+#include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/solving/solve.hpp>
+#include <pyrod/statics/start/network_start.hpp>
+
+#include <functional>
+#include <optional>
+#include <vector>
 
 namespace pyrod {
 
@@ -33,7 +43,3 @@ Level network_level(const PlacedLevel& placed) {
 }
 
 }  // namespace pyrod
-
-#ifdef PYROD_COMPILED
-#include <pyrod/statics/ladder/compiled.hpp>
-#endif

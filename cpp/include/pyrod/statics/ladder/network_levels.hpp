@@ -2,10 +2,28 @@
 /// \file A network on the levels of the accuracy ladder.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/rod/refinement.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/scene/placement.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/options.hpp>
 #include <pyrod/statics/ladder/ladder.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
+#include <pyrod/statics/solution/scene_solution.hpp>
+#include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/solving/network_run.hpp>
+#include <pyrod/statics/start/network_start.hpp>
 #include <pyrod/statics/start/prolongation.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,14 +2,22 @@
 /// \file A ladder that may be climbed again and again.
 #pragma once
 
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/options.hpp>
 #include <pyrod/statics/ladder/ladder.hpp>
+#include <pyrod/statics/solution/reached.hpp>
+#include <pyrod/statics/solution/scene_solution.hpp>
 #include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/start/network_start.hpp>
 
 #include <chrono>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -3,12 +3,19 @@
 /// coarsest, as numbers that can be extrapolated, and back.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 #include <pyrod/solve/extrapolation.hpp>
 #include <pyrod/statics/solution/quantity.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/solution/scene_solution.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,10 +2,19 @@
 /// \file All that follows from the frames of a rod whose section forces the loads tell.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/model.hpp>
 #include <pyrod/rod/moment_law.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/loads.hpp>
 #include <pyrod/statics/solution/extremes.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/solution/vertices.hpp>
+
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

@@ -3,8 +3,13 @@
 #pragma once
 
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/solve/peak.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

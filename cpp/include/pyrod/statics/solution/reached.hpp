@@ -5,6 +5,7 @@
 #include <pyrod/statics/solution/quantity.hpp>
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <string_view>
 

@@ -2,12 +2,21 @@
 /// \file From the unknowns of a network to all that there is to know of its rods and nodes.
 #pragma once
 
+#include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/moment_law.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/network.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
 #include <pyrod/statics/solution/extremes.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/solution/vertices.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
+#include <pyrod/statics/unknowns/spans.hpp>
 
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,9 +2,15 @@
 /// \file All there is to know of the equilibrium of one rod, and how it is put into space.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/embedding.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/placement.hpp>
+
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,11 +2,15 @@
 /// \file The equilibrium of a whole scene in space, whatever path led to it.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/status.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/solution/rounding.hpp>
 #include <pyrod/statics/solution/softness.hpp>
+
+#include <vector>
 
 namespace pyrod {
 

@@ -2,10 +2,14 @@
 /// \file What rounding and soft modes leave open of an equilibrium of a network.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/solve/mode.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
 #include <pyrod/statics/solution/rounding.hpp>
 #include <pyrod/statics/solution/softness.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,17 @@
 /// which something acts, holds or jumps.
 #pragma once
 
+#include <pyrod/curve/cosserat.hpp>
+#include <pyrod/rod/jump.hpp>
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,9 +2,22 @@
 /// \file The scene of one rod clamped at its start: where solver and rod meet.
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/loads.hpp>
 #include <pyrod/solve/homotopy.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/options.hpp>
+#include <pyrod/solve/status.hpp>
 #include <pyrod/statics/equations/cantilever_problem.hpp>
 #include <pyrod/statics/solution/cantilever_shape.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

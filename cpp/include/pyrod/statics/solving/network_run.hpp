@@ -2,11 +2,28 @@
 /// \file One call for every network: plane or space chosen at run time, results always in space.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/directions.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/scene/placement.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/options.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/solution/scene_solution.hpp>
+#include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/solving/network_solve.hpp>
 #include <pyrod/statics/start/network_start.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace pyrod {
 

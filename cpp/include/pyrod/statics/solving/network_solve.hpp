@@ -2,16 +2,35 @@
 /// \file The equilibrium of a network: from few edges to all of them, and down from saddles.
 #pragma once
 
+#include <pyrod/core/curvature.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/network.hpp>
 #include <pyrod/solve/homotopy.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/options.hpp>
 #include <pyrod/solve/saddle_newton.hpp>
+#include <pyrod/solve/status.hpp>
+#include <pyrod/statics/equations/network_problem.hpp>
 #include <pyrod/statics/solution/recovery.hpp>
+#include <pyrod/statics/solution/rounding.hpp>
+#include <pyrod/statics/solution/softness.hpp>
 #include <pyrod/statics/solution/uncertainty.hpp>
 #include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/start/coarsening.hpp>
 #include <pyrod/statics/start/false_shapes.hpp>
 #include <pyrod/statics/start/start.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

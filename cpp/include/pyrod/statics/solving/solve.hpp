@@ -3,12 +3,28 @@
 /// space.
 #pragma once
 
+#include <pyrod/core/require.hpp>
 #include <pyrod/rod/model.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/choice.hpp>
+#include <pyrod/scene/loads.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/scene/placement.hpp>
+#include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/options.hpp>
+#include <pyrod/statics/solution/rod_solution.hpp>
+#include <pyrod/statics/solution/scene_solution.hpp>
 #include <pyrod/statics/solving/cantilever.hpp>
 #include <pyrod/statics/solving/network_run.hpp>
+#include <pyrod/statics/start/network_start.hpp>
 
 #include <concepts>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,9 +2,13 @@
 /// \file The bow of one span between given directions at its ends.
 #pragma once
 
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/start/bow.hpp>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace pyrod {
 

@@ -6,8 +6,16 @@
 /// − A²/4.
 #pragma once
 
+#include <pyrod/curve/cosserat.hpp>
 #include <pyrod/curve/framing.hpp>
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/planar.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace pyrod {
 

@@ -5,7 +5,19 @@
 /// start on the finer grid from which Newton's method needs few steps.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/loads.hpp>
+#include <pyrod/scene/network.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

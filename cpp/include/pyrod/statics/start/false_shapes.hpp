@@ -2,6 +2,7 @@
 /// \file Shapes at which Newton's method comes to rest, and which mean nothing.
 #pragma once
 
+#include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
 namespace pyrod {

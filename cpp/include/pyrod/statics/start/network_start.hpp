@@ -2,11 +2,23 @@
 /// \file A shape to start a network from that somebody knows, whatever its supports were.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
+#include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/scene/placement.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/start/restricted.hpp>
 #include <pyrod/statics/start/start.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
+#include <pyrod/statics/unknowns/spans.hpp>
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace pyrod {
 

@@ -6,10 +6,20 @@
 /// found along the rod, span by span, by the energies of the bows between.
 #pragma once
 
+#include <pyrod/curve/grid.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/statics/start/arch.hpp>
+#include <pyrod/statics/start/bow.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,10 +2,16 @@
 /// \file Frames on a grid of halved edges from those on coarser ones.
 #pragma once
 
+#include <pyrod/core/require.hpp>
+#include <pyrod/core/types.hpp>
 #include <pyrod/curve/grid.hpp>
+#include <pyrod/rotation/planar.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace pyrod {

@@ -2,9 +2,17 @@
 /// \file Rods, loads and frames brought to the plane that a planar computation is in.
 #pragma once
 
+#include <pyrod/core/types.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/embedding.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 #include <pyrod/scene/loads.hpp>
+#include <pyrod/scene/point_loads.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,9 +2,21 @@
 /// \file Shapes to start from: at rest where the supports allow it, else bent into them.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/curve/cosserat.hpp>
+#include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/start/bow.hpp>
 #include <pyrod/statics/start/over_supports.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <vector>
 
 namespace pyrod {
 

@@ -5,9 +5,17 @@
 /// that direction tells it. From the free ends inwards this goes on until nothing more is told.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/directions.hpp>
+#include <pyrod/scene/network.hpp>
 #include <pyrod/statics/unknowns/spans.hpp>
 
 #include <Eigen/QR>
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,11 +2,19 @@
 /// \file The unknowns of a network: which there are, and how they are numbered.
 #pragma once
 
+#include <pyrod/scene/network.hpp>
+#include <pyrod/sparse/block_pattern.hpp>
 #include <pyrod/sparse/block_symmetric.hpp>
 #include <pyrod/statics/unknowns/known_forces.hpp>
+#include <pyrod/statics/unknowns/spans.hpp>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 

@@ -2,7 +2,12 @@
 /// \file The unknowns of a network, as they stand.
 #pragma once
 
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/network.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
+
+#include <cstddef>
+#include <vector>
 
 namespace pyrod {
 

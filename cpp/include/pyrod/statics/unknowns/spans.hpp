@@ -2,9 +2,14 @@
 /// \file A network cut into spans: parts of rods between neighbouring nodes.
 #pragma once
 
+#include <pyrod/core/types.hpp>
+#include <pyrod/scene/directions.hpp>
 #include <pyrod/scene/network.hpp>
 
+#include <cstddef>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 
