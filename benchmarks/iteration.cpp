@@ -64,25 +64,24 @@ void row(int n, ModelKind model, const char* name) {
 
   auto here = problem.linearisation();
   auto state = scene.start().first, moved = state;
-  Cholesky factor(here.hessian);
+  Ldlt factor(here.hessian);
   Vector δ(here.gradient.size());
-  const auto step = [&](Curvature curvature) {
+  const auto step = [&](Hessian curvature) {
     problem.linearise(state, curvature, here);
     factor.factorise();
     factor.solve(here.gradient, δ);
     δ = -δ;
     problem.move(state, δ, moved);
   };
-  step(Curvature::convex);
+  step(Hessian::convex);
   std::swap(state, moved);
 
   const double scale = 1e9 / n;
-  const double evaluate =
-      scale * seconds([&] { problem.linearise(state, Curvature::exact, here); });
+  const double evaluate = scale * seconds([&] { problem.linearise(state, Hessian::exact, here); });
   const double factorise = scale * seconds([&] { factor.factorise(); });
   const double solve = scale * seconds([&] { factor.solve(here.gradient, δ); });
   const double move = scale * seconds([&] { problem.move(state, δ, moved); });
-  const double iteration = scale * seconds([&] { step(Curvature::exact); });
+  const double iteration = scale * seconds([&] { step(Hessian::exact); });
   const double bare = scale * bare_cholmod(here.hessian, here.gradient);
 
   Newton<CantileverProblem<Space>> newton(problem);

@@ -59,13 +59,13 @@ void row(int k) {
   const NetworkProblem<Spatial> problem(layout);
   auto here = problem.linearisation();
   auto moved = result.state;
-  problem.linearise(result.state, Curvature::exact, here);
-  Cholesky factor(here.hessian);
+  problem.linearise(result.state, Hessian::exact, here);
+  Ldlt factor(here.hessian);
   Vector δ(here.gradient.size());
   const double ns = 1e9 / result.unknowns;
-  const double analyse = ns * seconds([&] { Cholesky again(here.hessian); }, 3);
+  const double analyse = ns * seconds([&] { Ldlt again(here.hessian); }, 3);
   const double evaluate =
-      ns * seconds([&] { problem.linearise(result.state, Curvature::exact, here); }, 3);
+      ns * seconds([&] { problem.linearise(result.state, Hessian::exact, here); }, 3);
   const double factorise = ns * seconds([&] { factor.factorise(); }, 3);
   const double solve = ns * seconds([&] { factor.solve(here.gradient, δ); }, 3);
   δ.setConstant(1e-12);

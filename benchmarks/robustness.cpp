@@ -15,23 +15,23 @@ double normal() { return std::normal_distribution<double>()(generator); }
 Vec3 direction() { return Vec3(normal(), normal(), normal()).normalized(); }
 
 /// EI1 = 1, EI2 and GJ spread over a factor of 30, |K0| L as given, n = 64.
-Solution<Spatial> solve_random(double force, double curvature, double couple) {
+Solution<Spatial> solve_random(double force, double curvature, double moment) {
   const int n = 64;
   const Vec3 bending(1, std::exp(1.15 * normal()), 0.6 * std::exp(0.5 * normal()));
   const auto rod = Rod<Spatial>::uniform(Grid::uniform(1, n), bending,
                                          Vec3::Constant(Section::rigid), curvature * direction());
   Loads<Spatial> loads(n);
   loads.add_force(rod.grid, force * direction(), 1);
-  if (couple > 0) loads.add_couple(rod.grid, couple * direction(), 1);
+  if (moment > 0) loads.add_moment(rod.grid, moment * direction(), 1);
   return Cantilever<Spatial>(rod, Vec3::Zero(), Quaternion::Identity(), loads).solve();
 }
 
-void row(double force, double curvature, double couple) {
+void row(double force, double curvature, double moment) {
   const int rods = 200;
   std::vector<int> iterations;
   int failed = 0, unstable = 0;
   for (int i = 0; i < rods; ++i) {
-    const auto found = solve_random(force, curvature, couple);
+    const auto found = solve_random(force, curvature, moment);
     if (found.status == Status::converged)
       iterations.push_back(int(found.record.size()));
     else
@@ -42,7 +42,7 @@ void row(double force, double curvature, double couple) {
   const auto quantile = [&](double q) {
     return iterations.empty() ? 0 : iterations[std::size_t(q * double(iterations.size() - 1))];
   };
-  std::printf("%8g %8g %8g %8d %8d %8d %8d %8d %8d\n", force, curvature, couple, quantile(0.5),
+  std::printf("%8g %8g %8g %8d %8d %8d %8d %8d %8d\n", force, curvature, moment, quantile(0.5),
               quantile(0.9), quantile(0.99), quantile(1), failed, unstable);
 }
 
@@ -54,6 +54,6 @@ int main() {
   std::puts("   force     bent   moment   median     90 %     99 %     most   failed unstable");
   for (double force : {1., 10., 100., 1000.})
     for (double curvature : {0., 1.5, 6.}) row(force, curvature, 0);
-  for (double couple : {0.5, 3., 10.})
-    for (double force : {0., 1., 10., 100.}) row(force, 1.5, couple);
+  for (double moment : {0.5, 3., 10.})
+    for (double force : {0., 1., 10., 100.}) row(force, 1.5, moment);
 }

@@ -33,7 +33,7 @@ Network<Spatial> held(int n, int spans) {
   return net;
 }
 
-/// The frames' matrix H, and what couples it with the forces: K = [H B; Bᵀ −A].
+/// The frames' matrix H, and what moments it with the forces: K = [H B; Bᵀ −A].
 struct Parts {
   SymmetricMatrix H;
   Eigen::MatrixXd B, A;
@@ -84,7 +84,7 @@ class Schur {
 
  private:
   Parts& parts_;
-  Cholesky factor_;
+  Ldlt factor_;
   Eigen::MatrixXd HB_;
   Vector column_;
 };
@@ -99,25 +99,25 @@ struct Solved {
   explicit Solved(const Network<Spatial>& net)
       : layout(net), problem(layout), here(problem.linearisation()) {
     result = NetworkSolver<Spatial>(net, Options{}, NetworkOptions{}, {}).solve();
-    problem.linearise(result.state, Curvature::exact, here);
+    problem.linearise(result.state, Hessian::exact, here);
   }
 };
 
 void iteration(int n) {
   const auto net = held(n, 1);
   Solved at(net);
-  Cholesky factor(at.here.hessian);
+  Ldlt factor(at.here.hessian);
   auto moved = at.result.state;
   Vector δ(at.here.gradient.size());
   const auto step = [&] {
-    at.problem.linearise(at.result.state, Curvature::exact, at.here);
+    at.problem.linearise(at.result.state, Hessian::exact, at.here);
     factor.factorise();
     factor.solve(at.here.gradient, δ);
     at.problem.move(at.result.state, δ, moved);
   };
   const double ns = 1e9 / n;
   const double evaluate =
-      ns * seconds([&] { at.problem.linearise(at.result.state, Curvature::exact, at.here); });
+      ns * seconds([&] { at.problem.linearise(at.result.state, Hessian::exact, at.here); });
   const double factorise = ns * seconds([&] { factor.factorise(); });
   const double solve = ns * seconds([&] { factor.solve(at.here.gradient, δ); });
   const double move = ns * seconds([&] { at.problem.move(at.result.state, δ, moved); });
@@ -136,7 +136,7 @@ void iteration(int n) {
 
 void schur(int n, int spans) {
   Solved at(held(n, spans));
-  Cholesky whole(at.here.hessian);
+  Ldlt whole(at.here.hessian);
   const Vector weights = at.problem.weights();
   Parts parts(at.here.hessian, weights);
   Schur complement(parts);

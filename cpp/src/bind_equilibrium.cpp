@@ -45,7 +45,7 @@ py::dict record(const std::vector<Iteration>& lines) {
   };
   using I = Iteration;
   py::dict out;
-  out["exact"] = column([](const I& i) { return i.curvature == Curvature::exact; });
+  out["exact"] = column([](const I& i) { return i.kind == Hessian::exact; });
   out["energy"] = column([](const I& i) { return i.energy; });
   out["residual"] = column([](const I& i) { return i.residual; });
   out["step"] = column([](const I& i) { return i.step; });

@@ -65,8 +65,8 @@ py::array on_climbing_edges(const Solver& scene, const Array& frames) {
 
 /// Dead forces on the vertices, and moments on the edges and at both ends.
 py::tuple dead(const Loads<Spatial>& on) {
-  return py::make_tuple(array<3>(on.force), array<3>(on.couple), array<3>(on.start_couple),
-                        array<3>(on.end_couple));
+  return py::make_tuple(array<3>(on.force), array<3>(on.moment), array<3>(on.start_moment),
+                        array<3>(on.end_moment));
 }
 
 /// A grid of a solve with a tolerance: edges of the rods, where they are held and joined, loads.

@@ -30,7 +30,7 @@ struct Cell {
         b(a * random.rotation<Space>(angle)) {}
 
   Spin<Space> u() const { return log(a.conjugate() * b); }
-  template <Curvature kind = Curvature::exact>
+  template <Hessian kind = Hessian::exact>
   TurnJet<Space> jet() const {
     const Spin<Space> turn = u();
     return bend_twist<kind>(turn, typename Space::Differential(turn), C, K0, Δs);
@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("the energy of a cell is half the strain times the moment", S
   const Spin<Space> strain = cell.u() / cell.Δs - cell.K0;
   const double expected = cell.Δs / 2 * strain.dot(cell.C.cwiseProduct(strain));
   CHECK(cell.jet().energy == doctest::Approx(expected).epsilon(1e-14));
-  CHECK(cell.template jet<Curvature::convex>().energy == cell.jet().energy);
+  CHECK(cell.template jet<Hessian::convex>().energy == cell.jet().energy);
 }
 
 TEST_CASE_TEMPLATE("bend_twist against differences", Space, EACH_SPACE) {
@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("the convex Hessian", Space, EACH_SPACE) {
   for (const double θ : angles) {
     CAPTURE(θ);
     Cell<Space> cell(random, θ);
-    const auto convex = cell.template jet<Curvature::convex>();
+    const auto convex = cell.template jet<Hessian::convex>();
     CHECK(distance(gradient(convex), gradient(cell.jet())) == 0);
     const auto H = hessian(convex);
     const Vector λ = eigenvalues(H);
@@ -103,7 +103,7 @@ TEST_CASE_TEMPLATE("the convex Hessian", Space, EACH_SPACE) {
     CHECK(λ[Space::spin] > 0.1);  // only turns of both frames cost nothing
 
     cell.K0 = cell.u() / cell.Δs;  // stress-free: nothing else is left of the exact one
-    CHECK(distance(hessian(cell.template jet<Curvature::convex>()), hessian(cell.jet())) <
+    CHECK(distance(hessian(cell.template jet<Hessian::convex>()), hessian(cell.jet())) <
           1e-12 * H.norm());
   }
 }
@@ -115,7 +115,7 @@ TEST_CASE("a planar cell is a spatial one that turns about e2") {
     const Vec3 C(0.7, flat.C[0], 1.9), u = embed_spin(flat.u());
     const auto plane = flat.jet();
     const auto space =
-        bend_twist<Curvature::exact>(u, LogDifferential(u), C, embed_spin(flat.K0), flat.Δs);
+        bend_twist<Hessian::exact>(u, LogDifferential(u), C, embed_spin(flat.K0), flat.Δs);
     const double scale = 1 + std::abs(plane.bb(0, 0)) + std::abs(plane.b[0]);
     CHECK(std::abs(plane.energy - space.energy) < 1e-14 * (1 + plane.energy));
     CHECK(distance(embed_spin(plane.a), space.a) < 1e-14 * scale);

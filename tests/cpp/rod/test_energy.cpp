@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("the energy does not see a rigid motion; the gradient turns w
   }
 }
 
-TEST_CASE_TEMPLATE("the Hessian has the entries that neighbours couple", Space, EACH_SPACE) {
+TEST_CASE_TEMPLATE("the Hessian has the entries that neighbours moment", Space, EACH_SPACE) {
   Random random(5);
   constexpr int d = Space::dim, s = Space::spin;
   for (const int n : {1, 2, 7}) {

@@ -90,8 +90,8 @@ TEST_CASE("a load with a step: its vertex, and all of its force") {
 TEST_CASE("loads on the second rod, and moments along a rod") {
   const auto first = straight(1.0, 8, round_one);
   const auto other = first.placed({{0, 0, 1}, Quaternion::Identity()});
-  const DistributedMoment couple{[](double s) { return Vec3(0, s < at ? 1 : 0, 0); }, 1};
-  const Scene scene({first, other}, {Clamp{}}, {couple}, Dimension::spatial,
+  const DistributedMoment moment{[](double s) { return Vec3(0, s < at ? 1 : 0, 0); }, 1};
+  const Scene scene({first, other}, {Clamp{}}, {moment}, Dimension::spatial,
                     {Joint{{Place(0, End::end), Place(1, End::start)}}});
   const auto found = solve(scene, {.tol = 1e-6});
   CHECK(found.doubts.empty());

@@ -10,7 +10,7 @@ using namespace pyrod::test;
 namespace {
 
 Result<Vector> solved(const FlatProblem& problem, const Vector& start,
-                      Curvature first = Curvature::exact, const Options& options = {},
+                      Hessian first = Hessian::exact, const Options& options = {},
                       const Trace& trace = {}) {
   return Newton<FlatProblem>(problem, options, trace).solve(start, first);
 }
@@ -43,7 +43,7 @@ TEST_CASE("a convex quadratic takes one step, and one that finds nothing left to
   CHECK(result.energy == doctest::Approx(-minimum.dot(b) / 2).epsilon(1e-14));
   CHECK(result.residual < 1e-13);
   const Iteration& first = result.record[0];
-  CHECK(first.curvature == Curvature::exact);
+  CHECK(first.kind == Hessian::exact);
   CHECK(first.fraction == 1);
   CHECK(first.shift == 0);
   CHECK(first.factorisations == 1);
@@ -99,14 +99,14 @@ TEST_CASE("far away the convex Hessian makes the steps, near the exact one") {
   problem.convex = [](const Vector& x) -> Dense {
     return (3 * x.array().square() + 2).matrix().asDiagonal();
   };
-  const auto result = solved(problem, Vec<2>(4, -5), Curvature::convex);
+  const auto result = solved(problem, Vec<2>(4, -5), Hessian::convex);
   CHECK(result.converged());
   CHECK(distance(result.state, Vec<2>(1, -1)) < 1e-8);
-  CHECK(result.record.front().curvature == Curvature::convex);
-  CHECK(result.record.back().curvature == Curvature::exact);
+  CHECK(result.record.front().kind == Hessian::convex);
+  CHECK(result.record.back().kind == Hessian::exact);
   const double near = Options().near;
   for (std::size_t i = 1; i < result.record.size(); ++i)
-    if (result.record[i - 1].step < near) CHECK(result.record[i].curvature == Curvature::exact);
+    if (result.record[i - 1].step < near) CHECK(result.record[i].kind == Hessian::exact);
   // An exact step longer than `trust` is not trusted.
   for (const auto& i : solved(problem, Vec<2>(0.6, -0.6)).record) CHECK(i.step <= Options().trust);
 }
@@ -116,7 +116,7 @@ TEST_CASE("at a minimum of rounding size nothing stalls, whichever Hessian comes
   auto noisy = quadratic(Dense::Identity(1, 1), Vector::Ones(1));
   double noise = 0;
   noisy.f = [&](const Vector&) { return noise += 1e-30; };
-  for (const Curvature first : {Curvature::convex, Curvature::exact})
+  for (const Hessian first : {Hessian::convex, Hessian::exact})
     for (const double start : {1., 1 + 1e-15, 1 - 1e-12}) {
       const auto result = solved(noisy, Vector::Constant(1, start), first);
       CHECK(result.converged());
@@ -130,9 +130,9 @@ TEST_CASE("the solve ends with the exact Hessian even if no step is near enough 
   options.near = 0;
   auto problem = double_wells(1);
   problem.convex = [](const Vector& x) -> Dense { return Dense::Constant(1, 1, 3 * x[0] * x[0]); };
-  const auto result = solved(problem, Vector::Constant(1, 2), Curvature::convex, options);
+  const auto result = solved(problem, Vector::Constant(1, 2), Hessian::convex, options);
   CHECK(result.converged());
-  CHECK(result.record.back().curvature == Curvature::exact);
+  CHECK(result.record.back().kind == Hessian::exact);
 }
 
 TEST_CASE("forces without a potential: linear ones take one step") {
@@ -166,7 +166,7 @@ TEST_CASE("forces without a potential: quadratic convergence") {
 TEST_CASE("out of iterations: the last state is kept") {
   Options options;
   options.max_iterations = 3;
-  const auto result = solved(rosenbrock(), Vec<2>(-1.2, 1), Curvature::exact, options);
+  const auto result = solved(rosenbrock(), Vec<2>(-1.2, 1), Hessian::exact, options);
   CHECK(result.status == Status::out_of_iterations);
   CHECK_FALSE(result.converged());
   CHECK(result.iterations() == 3);
@@ -179,7 +179,7 @@ TEST_CASE("a step that does not solve its system does not end a solve") {
   // The pivot 1e-20 loses the second equation: the first step comes out as (0, 1e-9), as small as
   // the last step of a solve, where (−1e-9, 1e-9) is right.
   const Dense A = (Dense(2, 2) << 1e-20, 1, 1, 1).finished();
-  const auto result = solved(quadratic(A, Vec<2>(1e-9, 0)), Vec<2>::Zero(), Curvature::exact);
+  const auto result = solved(quadratic(A, Vec<2>(1e-9, 0)), Vec<2>::Zero(), Hessian::exact);
   CHECK(result.converged());
   CHECK(result.iterations() > 1);
   CHECK(result.state[0] == doctest::Approx(-1e-9).epsilon(1e-12));
@@ -194,12 +194,12 @@ TEST_CASE("the trace sees every iteration and may stop the solve") {
       return ++seen < limit;
     };
   };
-  const auto full = solved(rosenbrock(), Vec<2>(-1.2, 1), Curvature::exact, {}, stop_at(1000));
+  const auto full = solved(rosenbrock(), Vec<2>(-1.2, 1), Hessian::exact, {}, stop_at(1000));
   CHECK(full.converged());
   CHECK(seen == full.iterations());
 
   seen = 0;
-  const auto result = solved(rosenbrock(), Vec<2>(-1.2, 1), Curvature::exact, {}, stop_at(2));
+  const auto result = solved(rosenbrock(), Vec<2>(-1.2, 1), Hessian::exact, {}, stop_at(2));
   CHECK(result.status == Status::interrupted);
   CHECK(result.iterations() == 2);
   CHECK(result.energy == doctest::Approx(full.record[2].energy).epsilon(1e-15));
@@ -227,7 +227,7 @@ TEST_CASE("a step into the undefined is cut") {  // x − log x, from beyond the
       1, [](const Vector& x) { return x[0] - std::log(x[0]); },
       [](const Vector& x) -> Vector { return Vector::Constant(1, 1 - 1 / x[0]); },
       [](const Vector& x) -> Dense { return Dense::Constant(1, 1, 1 / (x[0] * x[0])); }};
-  const auto result = solved(barrier, Vector::Constant(1, 2.5), Curvature::convex);
+  const auto result = solved(barrier, Vector::Constant(1, 2.5), Hessian::convex);
   CHECK(result.converged());
   CHECK(result.state[0] == doctest::Approx(1).epsilon(1e-14));
   CHECK(result.record[0].fraction < 1);
@@ -253,7 +253,7 @@ TEST_CASE("options that make no sense are refused by name") {
   const auto refused = [](int Options::* member, auto value) {
     Options options;
     options.*member = value;
-    return refusal([&] { solved(double_wells(1), Vector::Ones(1), Curvature::exact, options); });
+    return refusal([&] { solved(double_wells(1), Vector::Ones(1), Hessian::exact, options); });
   };
   CHECK(refused(&Options::max_iterations, 0) == "max_iterations: must be at least 1, got 0");
   const auto with = [](double Options::* member, double value) {

@@ -14,7 +14,7 @@ constexpr double always = 1e-6;  // share of the unit that is always added to th
 Result<Vector> solved(const ConstrainedProblem& problem, const Vector& start, bool minimum = true,
                       const Options& options = {}, bool estimate = false) {
   return SaddleNewton<ConstrainedProblem>(problem, options, {}, minimum)
-      .solve(start, Curvature::exact, estimate);
+      .solve(start, Hessian::exact, estimate);
 }
 
 Options patient() {
@@ -104,8 +104,8 @@ TEST_CASE("of equilibria that go over into each other the one nearest to the anc
       CAPTURE(away);
       const Vector start = away * Vec2(2 * std::cos(turn), std::sin(turn));
       const auto aside = [&](bool anchored) {
-        const auto result = SaddleNewton<ConstrainedProblem>(valley).solve(start, Curvature::exact,
-                                                                           false, anchored);
+        const auto result =
+            SaddleNewton<ConstrainedProblem>(valley).solve(start, Hessian::exact, false, anchored);
         REQUIRE(result.converged());
         const Vector moved = result.state - start, n = normal(result.state);
         return std::abs(moved[0] * n[1] - moved[1] * n[0]);

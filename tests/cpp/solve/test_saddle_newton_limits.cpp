@@ -57,7 +57,7 @@ TEST_CASE("the lowest mode is that of the dense eigenvalue problem on the constr
     const auto modes = projected_modes(A, problem.mass, C);
     if (modes.eigenvalues[1] - modes.eigenvalues[0] < 0.3) continue;  // not one mode
     Solver solver(problem, patient(), {}, false);
-    if (!solver.solve(Vector::Zero(n + constraints), Curvature::exact).converged()) continue;
+    if (!solver.solve(Vector::Zero(n + constraints), Hessian::exact).converged()) continue;
     const Mode mode = solver.lowest_mode();
     CHECK(std::abs(mode.eigenvalue - modes.eigenvalues[0]) < 1e-8 * (1 + A.norm()));
     CHECK(mode.shape.cwiseAbs().maxCoeff() == doctest::Approx(1).epsilon(1e-15));
@@ -78,11 +78,11 @@ TEST_CASE("multipliers that mean nothing are estimated: at a solution exactly") 
   const Dense A = random_positive(random, n), C = random_dense(random, n).topRows(constraints);
   const Vector b = random.vector(n);
   const auto problem = quadratic_program(A, b, C, random.vector(constraints));
-  const auto found = Solver(problem, patient()).solve(Vector::Zero(8), Curvature::exact);
+  const auto found = Solver(problem, patient()).solve(Vector::Zero(8), Hessian::exact);
   REQUIRE(found.converged());
   Vector start = found.state;
   start.tail(constraints) += 1e3 * random.vector(constraints);
-  const auto again = Solver(problem).solve(start, Curvature::exact, true);
+  const auto again = Solver(problem).solve(start, Hessian::exact, true);
   CHECK(again.converged());
   CHECK(again.record[0].residual < 1e-6);  // 10⁻¹⁰ of 10³, over the smallest pivot
   CHECK(distance(again.state, found.state) < 1e-10);
@@ -96,7 +96,7 @@ TEST_CASE("elsewhere the estimate comes nearest to balance, and moves nothing el
   const Vector start = random.vector(n + constraints);
   Options one;
   one.max_iterations = 1;
-  const auto result = Solver(problem, one).solve(start, Curvature::exact, true);
+  const auto result = Solver(problem, one).solve(start, Hessian::exact, true);
   // the least of |∇f + Cᵀλ| in the norm of the shifted matrix
   const Dense inverse = (A + (1 + 1e-6) * Dense(problem.mass.asDiagonal())).inverse();
   const Vector slope = problem.slope(start.head(n));
@@ -111,7 +111,7 @@ TEST_CASE("elsewhere the estimate comes nearest to balance, and moves nothing el
 
 TEST_CASE("a circle of solutions: the way to it does not creep along it") {
   for (const Vec<4>& start : {Vec<4>(0.9, 0.3, 0.4, 0), Vec<4>(-1.4, 1, 0, 0.2)}) {
-    const auto result = Solver(hat()).solve(start, Curvature::exact);
+    const auto result = Solver(hat()).solve(start, Hessian::exact);
     CHECK(result.converged());
     CHECK(result.index == 0);
     CHECK(result.iterations() < 12);
@@ -126,7 +126,7 @@ TEST_CASE("a circle of solutions: the way to it does not creep along it") {
 
 TEST_CASE("on the circle the matrix is singular, but for the shift there always is") {
   const Vector start = Vec<4>(1, 0, 0.5, 0);
-  const auto result = Solver(hat()).solve(start, Curvature::exact);
+  const auto result = Solver(hat()).solve(start, Hessian::exact);
   CHECK(result.converged());
   CHECK(result.index == 0);
   CHECK(result.iterations() == 1);
@@ -136,7 +136,7 @@ TEST_CASE("on the circle the matrix is singular, but for the shift there always 
 }
 
 TEST_CASE("a force picks one point of the circle, and the top of the hat is left") {
-  const auto result = Solver(hat(1e-3)).solve(Vec<4>(-1e-3, 1e-3, 0, 0), Curvature::exact);
+  const auto result = Solver(hat(1e-3)).solve(Vec<4>(-1e-3, 1e-3, 0, 0), Hessian::exact);
   CHECK(result.converged());
   CHECK(result.index == 0);
   CHECK(result.state[0] > 1);  // x (x² − 1) = force
@@ -159,7 +159,7 @@ TEST_CASE("constraints that cannot be met end with a status, in finite time") {
     for (const ConstrainedProblem* problem :
          std::initializer_list<const ConstrainedProblem*>{&linear, &curved}) {
       const Vector start = Vector::Constant(problem->size + problem->constraints, 0.3);
-      const auto result = Solver(*problem, {}, {}, minimum).solve(start, Curvature::exact);
+      const auto result = Solver(*problem, {}, {}, minimum).solve(start, Hessian::exact);
       CHECK_FALSE(result.converged());
       CHECK(result.index == -1);
       CHECK(result.iterations() <= Options().max_iterations);
@@ -171,11 +171,11 @@ TEST_CASE("numbers that are not finite, and a trace that says stop") {
       quadratic_program(Dense::Identity(2, 2), Vec<2>(1, 2), Dense::Ones(1, 2), Vector::Zero(1));
   const auto stopped = Solver(problem, {}, [](const Iteration&) {
                          return false;
-                       }).solve(Vector::Ones(3), Curvature::exact);
+                       }).solve(Vector::Ones(3), Hessian::exact);
   CHECK(stopped.status == Status::interrupted);
   CHECK(stopped.iterations() == 1);
   problem.f = [](const Vector&) { return std::nan(""); };
-  CHECK(Solver(problem).solve(Vector::Ones(3), Curvature::exact).status == Status::not_finite);
+  CHECK(Solver(problem).solve(Vector::Ones(3), Hessian::exact).status == Status::not_finite);
 }
 
 TEST_CASE("forces without a potential on constraints: against the dense solution, no index") {
@@ -191,7 +191,7 @@ TEST_CASE("forces without a potential on constraints: against the dense solution
     Vector right(n + 1);
     right << b, d;
     const Vector expected = solve_dense(K, right);
-    const auto result = Solver(problem, patient()).solve(Vector::Zero(n + 1), Curvature::exact);
+    const auto result = Solver(problem, patient()).solve(Vector::Zero(n + 1), Hessian::exact);
     CHECK(result.converged());
     CHECK(result.iterations() <= 5);
     CHECK(distance(result.state, expected) < 1e-11 * (1 + expected.norm()));

@@ -12,7 +12,7 @@ namespace {
 /// Solves (H + Z) x = b as the solver does; counts the products with Z.
 Vector corrected(const Dense& H, const Dense& Z, const Vector& b, int& products) {
   const SymmetricMatrix A = sparse(H);
-  Cholesky factor(A);
+  Ldlt factor(A);
   factor.factorise();
   Vector x;
   factor.solve(b, x);
@@ -40,7 +40,7 @@ TEST_CASE("a full skew part, against a dense solve") {
   }
 }
 
-TEST_CASE("one couple is a skew part of rank two: a handful of products, for any size") {
+TEST_CASE("one moment is a skew part of rank two: a handful of products, for any size") {
   Random random(2);
   for (const int size : {6, 60, 200}) {
     const Dense H = random_positive(random, size);

@@ -35,7 +35,7 @@ double imbalance(const Scene<Space>& scene, const Solution<Space>& solution) {
   for (int j = 0; j < scene.rod.edges(); ++j) {
     const Point<Space> edge = solution.curve.positions[j + 1] - solution.curve.positions[j];
     const Spin<Space> change = solution.moment[j] - solution.moment[j + 1];
-    const Spin<Space> load = cross(edge, solution.force[j]) + scene.loads.couple[j];
+    const Spin<Space> load = cross(edge, solution.force[j]) + scene.loads.moment[j];
     worst = std::max(worst, distance(change, load));
     scale = std::max(scale, solution.moment[j].norm());
   }
@@ -51,7 +51,7 @@ TEST_CASE("a pure moment in the plane is exact on any grid") {
       CAPTURE(n);
       CAPTURE(turns);
       auto scene = uniform_scene<Planar>(n, Vec1(3.), stretching<Planar>());
-      scene.loads.add_couple(scene.rod.grid, Vec1(3 * 2 * π * turns), 1);
+      scene.loads.add_moment(scene.rod.grid, Vec1(3 * 2 * π * turns), 1);
       const auto solution = solved<Planar, Cosserat>(scene);
       CHECK(solution.status == Status::converged);
       CHECK(solution.record.size() <= 2);
@@ -131,7 +131,7 @@ TEST_CASE("a dead moment on an isotropic rod in space makes a helix, exactly") {
     auto scene = uniform_scene<Spatial>(n, Vec3::Constant(2), stretching<Spatial>());
     scene.q0 = random.rotation<Spatial>();
     const Vec3 m = random.turn<Spatial>(size);
-    scene.loads.add_couple(scene.rod.grid, m, 1);
+    scene.loads.add_moment(scene.rod.grid, m, 1);
     const auto solution = solved<Spatial, InextensibleKirchhoff>(scene);
     CHECK(solution.status == Status::converged);
     CHECK(solution.index == -1);  // no potential, no index
@@ -226,7 +226,7 @@ TEST_CASE_TEMPLATE("section forces and moments are in exact balance with the loa
     const auto solution = solved<Space, typename Case::Model>(scene);
     CHECK(solution.status == Status::converged);
     CHECK(imbalance(scene, solution) < 1e-12);
-    CHECK(distance(solution.moment[n], scene.loads.end_couple) < 1e-13);
+    CHECK(distance(solution.moment[n], scene.loads.end_moment) < 1e-13);
     CHECK(distance(solution.force, scene.loads.section_forces()) == 0);
     for (int j = 0; j < n; ++j)
       CHECK(distance(rotate(solution.curve.frames[j], solution.material_force[j]),
@@ -287,8 +287,8 @@ TEST_CASE_TEMPLATE("a rigid motion of clamp and loads moves the solution", Case,
   moved.r0 = random.vector<Space::dim>();
   moved.q0 = Q * scene.q0;
   for (auto& F : moved.loads.force) F = rotate(Q, F);
-  for (auto& M : moved.loads.couple) M = rotate_spin(Q, M);
-  moved.loads.end_couple = rotate_spin(Q, moved.loads.end_couple);
+  for (auto& M : moved.loads.moment) M = rotate_spin(Q, M);
+  moved.loads.end_moment = rotate_spin(Q, moved.loads.end_moment);
   const auto before = solved<Space, typename Case::Model>(scene);
   const auto after = solved<Space, typename Case::Model>(moved);
   CHECK(after.record.size() == before.record.size());

@@ -30,16 +30,16 @@ struct Setting {
   Rotation clamp;
   std::vector<Rotation> frames;
 
-  Setting(Random& random, int n, bool couples)
+  Setting(Random& random, int n, bool moments)
       : rod(in_model(random.rod<Space>(n), Case::Model::kind)),
         loads(n),
         clamp(random.rotation<Space>()),
         frames(random.curve<Space>(rod.grid, 1.5).frames) {
     clamp = frames[0] * random.rotation<Space>(1);
     for (auto& F : loads.force) F = random.vector<Space::dim>();
-    if (!couples) return;
-    for (auto& M : loads.couple) M = random.vector<Space::spin>();
-    loads.end_couple = random.vector<Space::spin>();
+    if (!moments) return;
+    for (auto& M : loads.moment) M = random.vector<Space::spin>();
+    loads.end_moment = random.vector<Space::spin>();
   }
 
   Statics statics() const { return {rod, clamp, loads}; }
@@ -47,7 +47,7 @@ struct Setting {
 
 template <class Statics>
 typename Statics::Storage linearised(const Statics& statics, const typename Statics::State& q,
-                                     Curvature curvature = Curvature::exact) {
+                                     Hessian curvature = Hessian::exact) {
   auto out = statics.linearisation();
   statics.linearise(q, curvature, out);
   return out;
@@ -55,16 +55,16 @@ typename Statics::Storage linearised(const Statics& statics, const typename Stat
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("residual and tangent against differences, with and without couples", Case,
+TEST_CASE_TEMPLATE("residual and tangent against differences, with and without moments", Case,
                    EACH_MODEL) {
   using Space = typename Case::Space;
   constexpr int spin = Space::spin;
   Random random(1);
   for (const int n : {1, 5, 33})
-    for (const bool couples : {false, true}) {
+    for (const bool moments : {false, true}) {
       CAPTURE(n);
-      CAPTURE(couples);
-      const Setting<Case> setting(random, n, couples);
+      CAPTURE(moments);
+      const Setting<Case> setting(random, n, moments);
       const auto statics = setting.statics();
       const Vector δ = random.vector(spin * n);
       const auto at = [&](double t) {
@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("residual and tangent against differences, with and without c
       };
       const auto here = at(0);
       const Vector g = here.gradient;
-      CHECK(statics.conservative() == (spin == 1 || !couples));
+      CHECK(statics.conservative() == (spin == 1 || !moments));
       if (statics.conservative())
         check_slope([&](double t) { return at(t).energy; }, g.dot(δ), 0.03);
 
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("the convex Hessian", Case, EACH_MODEL) {
   Random random(3);
   Setting<Case> setting(random, 33, false);
   const auto exact = linearised(setting.statics(), setting.frames);
-  const auto convex = linearised(setting.statics(), setting.frames, Curvature::convex);
+  const auto convex = linearised(setting.statics(), setting.frames, Hessian::convex);
   CHECK(convex.energy == exact.energy);
   CHECK(distance(convex.gradient, exact.gradient) == 0);
   CHECK(eigenvalues(dense(convex.hessian))[0] > 0);
@@ -133,7 +133,7 @@ TEST_CASE_TEMPLATE("the convex Hessian", Case, EACH_MODEL) {
   setting.frames = setting.rod.at_rest(Point<Space>::Zero(), setting.clamp).frames;
   const Dense rest = dense(linearised(setting.statics(), setting.frames).hessian);
   const Dense at_rest =
-      dense(linearised(setting.statics(), setting.frames, Curvature::convex).hessian);
+      dense(linearised(setting.statics(), setting.frames, Hessian::convex).hessian);
   CHECK(distance(rest, at_rest) < 1e-12 * rest.norm());
 }
 
@@ -169,7 +169,7 @@ TEST_CASE_TEMPLATE("a plane problem is a spatial one", Model, Cosserat, Extensib
   Setting<With<Spatial, Model>> space(random, n, true);
   space.rod.grid = flat.rod.grid;
   space.clamp = embed(flat.clamp);
-  space.loads.end_couple = embed_spin(flat.loads.end_couple);
+  space.loads.end_moment = embed_spin(flat.loads.end_moment);
   for (int j = 0; j <= n; ++j) {
     space.rod.bending[j][1] = flat.rod.bending[j][0];
     space.rod.K0[j] = embed_spin(flat.rod.K0[j]);
@@ -177,12 +177,12 @@ TEST_CASE_TEMPLATE("a plane problem is a spatial one", Model, Cosserat, Extensib
     if (j == n) break;
     space.rod.stretching[j][0] = flat.rod.stretching[j][0];
     space.rod.stretching[j][2] = flat.rod.stretching[j][1];
-    space.loads.couple[j] = embed_spin(flat.loads.couple[j]);
+    space.loads.moment[j] = embed_spin(flat.loads.moment[j]);
     space.frames[j] = embed(flat.frames[j]);
   }
   std::vector<int> second;
   for (int j = 0; j < n; ++j) second.push_back(3 * j + 1);
-  for (const Curvature kind : {Curvature::exact, Curvature::convex}) {
+  for (const Hessian kind : {Hessian::exact, Hessian::convex}) {
     const auto a = linearised(flat.statics(), flat.frames, kind);
     const auto b = linearised(space.statics(), space.frames, kind);
     CHECK(distance(b.gradient(second), a.gradient) < 1e-12);
@@ -203,8 +203,8 @@ TEST_CASE_TEMPLATE("once there is storage, nothing is allocated", Case, EACH_MOD
   Vector out(Space::spin * 40);
   const std::size_t before = allocations();
   Eigen::internal::set_is_malloc_allowed(false);  // Eigen's assertions see to it
-  statics.linearise(q, Curvature::exact, here);
-  statics.linearise(q, Curvature::convex, here);
+  statics.linearise(q, Hessian::exact, here);
+  statics.linearise(q, Hessian::convex, here);
   statics.move(setting.frames, δ, q);
   statics.multiply_skew(q, δ, out);
   here.hessian.multiply(δ, out);

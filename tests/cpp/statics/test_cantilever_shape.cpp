@@ -80,7 +80,7 @@ TEST_CASE_TEMPLATE("section forces at vertices are exact, also where distributed
   }
   Loads<Space> loads(n);
   loads.add_force_per_length(rod.grid, dead);
-  loads.add_following_force_per_length(rod.grid, following);
+  loads.add_follower_force_per_length(rod.grid, following);
   RodSolution<Space> s;
   s.curve = rod.at_rest(Point<Space>::Zero(), random.rotation<Space>());
   std::vector<Point<Space>> at_vertices(n + 1, Point<Space>::Zero()), on_edges;

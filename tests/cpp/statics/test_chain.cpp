@@ -56,7 +56,7 @@ struct RandomChain {
     return {n, [&](int j) { return force[j]; }};
   }
 
-  template <Curvature kind>
+  template <Hessian kind>
   Storage in_packs(Instructions set) const {
     Storage out{0, 0, Vector::Constant(spin * n, NAN), BlockTridiagonal<spin>(n)};
     std::fill(out.hessian.values.begin(), out.hessian.values.end(), NAN);
@@ -70,7 +70,7 @@ struct RandomChain {
   }
 
   /// Energy, magnitude, gradient and Hessian by the sum of the cells and edges.
-  template <Curvature kind>
+  template <Hessian kind>
   auto one_by_one() const {
     struct {
       double energy = 0, magnitude = 0;
@@ -100,7 +100,7 @@ struct RandomChain {
 };
 
 /// `condition`: by how much the chain enlarges the rounding of a turn.
-template <Curvature kind, class Space>
+template <Hessian kind, class Space>
 void compare(const RandomChain<Space>& chain, double condition = 1) {
   const auto expected = chain.template one_by_one<kind>();
   const auto first = chain.template in_packs<kind>(Instructions::baseline);
@@ -125,8 +125,8 @@ TEST_CASE_TEMPLATE("packs of edges are edges, for any number of them", Space, EA
   for (int n = 1; n < 36; ++n) {
     CAPTURE(n);
     const RandomChain<Space> chain(random, n, 0, 0.1);
-    compare<Curvature::exact>(chain);
-    compare<Curvature::convex>(chain);
+    compare<Hessian::exact>(chain);
+    compare<Hessian::convex>(chain);
   }
 }
 
@@ -138,8 +138,8 @@ TEST_CASE_TEMPLATE("lanes on different sides of every branch", Space, EACH_SPACE
     const double condition = std::max(1., 1 / (2 * std::numbers::pi - most));  // pole at 2π
     for (int i = 0; i < 20; ++i) {
       const RandomChain<Space> chain(random, 33, least, most);
-      compare<Curvature::exact>(chain, condition);
-      compare<Curvature::convex>(chain, condition);
+      compare<Hessian::exact>(chain, condition);
+      compare<Hessian::convex>(chain, condition);
     }
   }
 }
@@ -152,8 +152,8 @@ TEST_CASE_TEMPLATE("edges along their force, against it, and without any", Space
     chain.force[j] = double(j % 3 - 1) * rotate(chain.frames[j], axis<Space>());
   for (int j = 0; j < chain.n; j += 4) chain.frames[j] = Space::Rotation::Identity();
   for (int j = 0; j < chain.n; j += 4) chain.force[j] = double(j % 8 - 4) * axis<Space>();
-  compare<Curvature::exact>(chain);
-  compare<Curvature::convex>(chain);
+  compare<Hessian::exact>(chain);
+  compare<Hessian::convex>(chain);
 }
 
 namespace {
@@ -216,7 +216,7 @@ TEST_CASE_TEMPLATE("a part of a chain, in a matrix of other blocks", Space, EACH
   for (const int first : {0, 3, 7})
     for (const int edges : {1, 2, 3, 8, 9, 23}) {
       const Part<Space> part{whole, first, edges, random.vector<Space::dim>()};
-      const auto expected = part.alone().template in_packs<Curvature::exact>(machine());
+      const auto expected = part.alone().template in_packs<Hessian::exact>(machine());
       // a block before the chain, to which its ends are coupled
       std::vector<int> sizes(std::size_t(edges + 1), spin);
       std::vector<std::vector<int>> above{{}, {0}};
@@ -228,7 +228,7 @@ TEST_CASE_TEMPLATE("a part of a chain, in a matrix of other blocks", Space, EACH
       const auto chain = part.chain(columns, told);
       Vector gradient(spin * edges);
       ChainRows<Space> rows{gradient.data(), A.template chain<spin>(spin, edges)};
-      dispatch(ChainLinearisation<Space, Curvature::exact>(chain, rows));
+      dispatch(ChainLinearisation<Space, Hessian::exact>(chain, rows));
       CHECK(rows.energy == expected.energy);
       CHECK(rows.magnitude == expected.magnitude);
       CHECK(gradient == expected.gradient);

@@ -70,12 +70,12 @@ TEST_CASE("rods and loads that do not fit are refused on either path") {
       {[](auto&, auto& l) { l.shares.resize(3, Vec3::Zero()); }, "loads.shares: expected 16 rows"},
       {[](auto&, auto& l) { l.force[3][1] = nan_; }, "loads: the section force is not finite"},
       {[](auto&, auto& l) { l.force[0][1] = nan_; }, "loads: the section force is not finite"},
-      {[](auto&, auto& l) { l.couple[3][1] = nan_; }, "loads: the moments add up to what is not"},
-      {[](auto&, auto& l) { l.following_forces = {{n, n, Vec3::Ones()}}; },
+      {[](auto&, auto& l) { l.moment[3][1] = nan_; }, "loads: the moments add up to what is not"},
+      {[](auto&, auto& l) { l.follower_forces = {{n, n, Vec3::Ones()}}; },
        "loads: a following force on edge 16 and vertex 16 of 16 edges"},
-      {[](auto&, auto& l) { l.following_forces = {{2, 7, Vec3::Ones()}}; },
+      {[](auto&, auto& l) { l.follower_forces = {{2, 7, Vec3::Ones()}}; },
        "loads: a following force on edge 2 and vertex 7"},
-      {[](auto&, auto& l) { l.following_couples = {{-1, Vec3::Ones()}}; },
+      {[](auto&, auto& l) { l.follower_moments = {{-1, Vec3::Ones()}}; },
        "loads: a following moment on edge -1"},
       {[](auto& r, auto&) { r.bending.pop_back(); }, "bending: expected 17 rows (one per vertex)"},
       {[](auto& r, auto&) { r.stretching.resize(3); }, "stretching: expected 16 rows"},
@@ -93,13 +93,13 @@ TEST_CASE("loads along a rod have one entry per edge, and belong to its grid") {
   const std::vector<Vec3> three(3, Vec3::Ones());
   Loads<Spatial> loads(n), others(8);
   CHECK_REFUSED("force_per_length: expected 16 rows", loads.add_force_per_length(grid, three));
-  CHECK_REFUSED("force_per_length: expected", loads.add_following_force_per_length(grid, three));
-  CHECK_REFUSED("moment_per_length: expected", loads.add_couple_per_length(grid, three));
-  CHECK_REFUSED("moment_per_length: expected", loads.add_following_couple_per_length(grid, three));
+  CHECK_REFUSED("force_per_length: expected", loads.add_follower_force_per_length(grid, three));
+  CHECK_REFUSED("moment_per_length: expected", loads.add_moment_per_length(grid, three));
+  CHECK_REFUSED("moment_per_length: expected", loads.add_follower_moment_per_length(grid, three));
   CHECK_REFUSED("loads: made for 8 edges", others.add_force(grid, Vec3::Ones(), 1));
-  CHECK_REFUSED("loads: made for 8 edges", others.add_couple(grid, Vec3::Ones(), 1));
-  CHECK_REFUSED("loads: made for 8 edges", others.add_following_force(grid, Vec3::Ones(), 1));
-  CHECK_REFUSED("loads: made for 8 edges", others.add_following_couple(grid, Vec3::Ones(), 1));
+  CHECK_REFUSED("loads: made for 8 edges", others.add_moment(grid, Vec3::Ones(), 1));
+  CHECK_REFUSED("loads: made for 8 edges", others.add_follower_force(grid, Vec3::Ones(), 1));
+  CHECK_REFUSED("loads: made for 8 edges", others.add_follower_moment(grid, Vec3::Ones(), 1));
 }
 
 TEST_CASE("a clamped rod is open, starts from frames of its edges, and has no followers") {
@@ -108,9 +108,9 @@ TEST_CASE("a clamped rod is open, starts from frames of its edges, and has no fo
       "grid: a rod that is held at its start needs an open grid");
   begins(clamped_with([](auto& s) { s.q0 = Quaternion(2, 0, 0, 0); }), "frame: expected a unit");
   begins(clamped_with([](auto& s) { s.r0[1] = nan_; }), "position: expected finite");
-  begins(clamped_with([](auto& s) { s.loads.add_following_force(s.rod.grid, Vec3(0, 2, 0), 1); }),
+  begins(clamped_with([](auto& s) { s.loads.add_follower_force(s.rod.grid, Vec3(0, 2, 0), 1); }),
          "loads: some follow the rod, which only a network can");
-  begins(clamped_with([](auto& s) { s.loads.add_following_couple(s.rod.grid, Vec3(0, 2, 0), 1); }),
+  begins(clamped_with([](auto& s) { s.loads.add_follower_moment(s.rod.grid, Vec3(0, 2, 0), 1); }),
          "loads: some follow the rod");
   const auto from = [](std::vector<Quaternion> frames) {
     const auto scene = bent();

@@ -26,7 +26,7 @@ void check_quadratic(const std::vector<Iteration>& record, double constant) {
   int seen = 0;
   for (std::size_t i = 1; i < record.size(); ++i) {
     const double before = record[i - 1].step;
-    if (before > 0.1 || record[i - 1].curvature != Curvature::exact) continue;
+    if (before > 0.1 || record[i - 1].kind != Hessian::exact) continue;
     CAPTURE(i);
     CHECK(record[i].step <= constant * before * before + 1e-13);
     ++seen;
@@ -43,7 +43,7 @@ TEST_CASE("an unstretched cantilever takes its side force in one go, however lar
       CAPTURE(EA);
       const auto scene = pulled<Planar>(64, Vec2(F, 0), EA, Vec1(1.));
       for (const auto& solution :
-           {solved<Planar, Cosserat>(scene), solved<Planar, ExtensibleKirchhoff>(scene),
+           {solved<Planar>(scene), solved<Planar, ExtensibleKirchhoff>(scene),
             solved<Planar, InextensibleKirchhoff>(scene)}) {
         CHECK(solution.status == Status::converged);
         CHECK(solution.index == 0);
@@ -71,7 +71,7 @@ TEST_CASE("a curved and anisotropic one in space needs a few more") {
 TEST_CASE("convergence is quadratic, with a potential and without") {
   auto scene = pulled<Spatial>(32, Vec3(3, 2, -1), 1e3, Vec3(1, 2, 0.8), Vec3(0, 1, 0));
   check_quadratic(solved<Spatial, Cosserat>(scene).record, 10);
-  scene.loads.add_couple(scene.rod.grid, Vec3(0.5, 1, -0.7), 1);  // dead: no potential
+  scene.loads.add_moment(scene.rod.grid, Vec3(0.5, 1, -0.7), 1);  // dead: no potential
   for (const auto& solution :
        {solved<Spatial, Cosserat>(scene), solved<Spatial, InextensibleKirchhoff>(scene)}) {
     CHECK(solution.status == Status::converged);
@@ -116,14 +116,13 @@ TEST_CASE_TEMPLATE("tip, moment and energy converge with the square of the edge 
 TEST_CASE("the trace may stop a solve, options reach it") {
   const auto scene = pulled<Planar>(32, Vec2(10, 0), 1e4, Vec1(1.));
   int seen = 0;
-  const auto stopped =
-      solved<Planar, Cosserat>(scene, {}, [&](const Iteration&) { return ++seen < 2; });
+  const auto stopped = solved<Planar>(scene, {}, [&](const Iteration&) { return ++seen < 2; });
   CHECK(stopped.status == Status::interrupted);
   CHECK(stopped.record.size() == 2);
   CHECK(stopped.curve.positions.size() == 33);
   Options options;
   options.max_iterations = 1;
-  CHECK(solved<Planar, Cosserat>(scene, options).status == Status::out_of_iterations);
+  CHECK(solved<Planar>(scene, options).status == Status::out_of_iterations);
   options.trust = -1;
-  CHECK_REFUSED("trust:", solved<Planar, Cosserat>(scene, options));
+  CHECK_REFUSED("trust:", solved<Planar>(scene, options));
 }

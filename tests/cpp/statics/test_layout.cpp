@@ -45,7 +45,7 @@ template <class Space>
 int fill(const Network<Space>& net) {
   const Layout<Space> layout(net);
   const BlockSymmetric A(layout.pattern());
-  return int(Cholesky(A).factor_entries()) - int(A.rows.size());
+  return int(Ldlt(A).factor_entries()) - int(A.rows.size());
 }
 
 }  // namespace
@@ -160,10 +160,10 @@ TEST_CASE_TEMPLATE("a frame that nothing needs is dropped, its moment goes to th
   const int v = s.hold(0, 5, s.anywhere(), s.turning(), true);
   check_unknowns(s, 5, 0, 0, 0);
   s.net.nodes[v].moment.setConstant(2);
-  s.net.loads[0].end_couple.setConstant(1);
+  s.net.loads[0].end_moment.setConstant(1);
   const Layout<Space> layout(s.net);
   CHECK(unknowns(layout) == 5 * Space::spin);
-  CHECK(layout.network().loads[0].end_couple == Spin<Space>::Constant(3));
+  CHECK(layout.network().loads[0].end_moment == Spin<Space>::Constant(3));
   CHECK(layout.network().nodes[v].moment.isZero(0));
   Structure<Space> middle;  // there is no edge for it in mid-rod
   middle.clamp(middle.add(5), 0);

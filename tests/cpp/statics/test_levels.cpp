@@ -34,8 +34,8 @@ Totals<Space> totals(const Rod<Space>& rod) {
 template <class Space>
 struct Sums {
   Point<Space> force = Point<Space>::Zero(), lever = Point<Space>::Zero();
-  Point<Space> following = Point<Space>::Zero(), following_lever = Point<Space>::Zero();
-  Spin<Space> couple = Spin<Space>::Zero(), following_couple = Spin<Space>::Zero();
+  Point<Space> following = Point<Space>::Zero(), follower_lever = Point<Space>::Zero();
+  Spin<Space> moment = Spin<Space>::Zero(), follower_moment = Spin<Space>::Zero();
 };
 
 template <class Space>
@@ -45,12 +45,12 @@ Sums<Space> sums(const Loads<Space>& loads, const Grid& grid) {
     out.force += loads.force[j];
     out.lever += grid.s(j) * loads.force[j];
   }
-  for (const auto& f : loads.following_forces) {
+  for (const auto& f : loads.follower_forces) {
     out.following += f.force;
-    out.following_lever += grid.s(f.vertex) * f.force;
+    out.follower_lever += grid.s(f.vertex) * f.force;
   }
-  out.couple = loads.total_couple();
-  for (const auto& m : loads.following_couples) out.following_couple += m.couple;
+  out.moment = loads.total_moment();
+  for (const auto& m : loads.follower_moments) out.follower_moment += m.moment;
   return out;
 }
 
@@ -137,14 +137,14 @@ TEST_CASE_TEMPLATE("merged loads have the sums and the first moments of all", Sp
   const Grid grid = random.grid(n);
   Loads<Space> loads(n);
   for (auto& F : loads.force) F = random.vector<Space::dim>();
-  for (auto& m : loads.couple) m = random.vector<Space::spin>();
-  loads.start_couple = random.vector<Space::spin>();
-  loads.end_couple = random.vector<Space::spin>();
-  loads.following_end_couple = random.vector<Space::spin>();
+  for (auto& m : loads.moment) m = random.vector<Space::spin>();
+  loads.start_moment = random.vector<Space::spin>();
+  loads.end_moment = random.vector<Space::spin>();
+  loads.follower_end_moment = random.vector<Space::spin>();
   for (int k = 0; k < 9; ++k) {
     const int j = std::min(n - 1, int(random.number(0, n)));
-    loads.following_forces.push_back({j, j + k % 2, random.vector<Space::dim>()});
-    loads.following_couples.push_back({j, random.vector<Space::spin>()});
+    loads.follower_forces.push_back({j, j + k % 2, random.vector<Space::dim>()});
+    loads.follower_moments.push_back({j, random.vector<Space::spin>()});
   }
   const auto kept = detail::kept_vertices(grid, {0, 11, n}, 4);
   const auto merged = detail::merged(loads, grid, kept);
@@ -154,13 +154,13 @@ TEST_CASE_TEMPLATE("merged loads have the sums and the first moments of all", Sp
   CHECK(distance(a.force, b.force) < 1e-14);
   CHECK(distance(a.lever, b.lever) < 1e-14);
   CHECK(distance(a.following, b.following) < 1e-14);
-  CHECK(distance(a.following_lever, b.following_lever) < 1e-14);
-  CHECK(distance(a.couple, b.couple) < 1e-14);
-  CHECK(distance(a.following_couple, b.following_couple) < 1e-14);
-  CHECK(merged.start_couple == loads.start_couple);
-  CHECK(merged.end_couple == loads.end_couple);
-  CHECK(merged.following_end_couple == loads.following_end_couple);
-  for (const auto& f : merged.following_forces)  // on an end of the edge that it follows, or near
+  CHECK(distance(a.follower_lever, b.follower_lever) < 1e-14);
+  CHECK(distance(a.moment, b.moment) < 1e-14);
+  CHECK(distance(a.follower_moment, b.follower_moment) < 1e-14);
+  CHECK(merged.start_moment == loads.start_moment);
+  CHECK(merged.end_moment == loads.end_moment);
+  CHECK(merged.follower_end_moment == loads.follower_end_moment);
+  for (const auto& f : merged.follower_forces)  // on an end of the edge that it follows, or near
     CHECK((f.vertex >= 0 && f.vertex <= int(h.size()) && f.edge < int(h.size())));
 }
 

@@ -43,7 +43,7 @@ TEST_CASE_TEMPLATE("a force keeps its sum and its moment, wherever it acts", Spa
       for (int j = 0; j <= n; ++j)
         if ((j < n && grid.s(j + 1) <= s) || (j > 0 && grid.s(j - 1) >= s))
           CHECK(loads.force[j].norm() < 1e-14);
-      CHECK_FALSE(loads.has_couples());
+      CHECK_FALSE(loads.has_moments());
     }
   }
 }
@@ -81,7 +81,7 @@ TEST_CASE("a place is the same on finer grids, by number") {
   }
 }
 
-TEST_CASE_TEMPLATE("a couple keeps its sum, and its place between two edges", Space, EACH_SPACE) {
+TEST_CASE_TEMPLATE("a moment keeps its sum, and its place between two edges", Space, EACH_SPACE) {
   Random random(2);
   for (const int n : {1, 2, 9}) {
     const Grid grid = random.grid(n, 3);
@@ -89,21 +89,21 @@ TEST_CASE_TEMPLATE("a couple keeps its sum, and its place between two edges", Sp
       CAPTURE(s);
       Loads<Space> loads(n);
       const Spin<Space> M = random.vector<Space::spin>();
-      loads.add_couple(grid, M, s);
-      CHECK(loads.end_couple.norm() == 0);
+      loads.add_moment(grid, M, s);
+      CHECK(loads.end_moment.norm() == 0);
       Spin<Space> lever = Spin<Space>::Zero();
-      for (int j = 0; j < n; ++j) lever += grid.centre(j) * loads.couple[j];
+      for (int j = 0; j < n; ++j) lever += grid.centre(j) * loads.moment[j];
       if (s <= grid.centre(n - 1)) CHECK(distance(lever, s * M) < 1e-14);  // the clamp is at s = 0
-      CHECK(distance(sum(loads.couple) + loads.start_couple, M) < 1e-15);
-      if (s >= grid.centre(0)) CHECK(loads.start_couple.norm() == 0);
-      if (s >= grid.centre(n - 1)) CHECK(distance(loads.couple[n - 1], M) == 0);
+      CHECK(distance(sum(loads.moment) + loads.start_moment, M) < 1e-15);
+      if (s >= grid.centre(0)) CHECK(loads.start_moment.norm() == 0);
+      if (s >= grid.centre(n - 1)) CHECK(distance(loads.moment[n - 1], M) == 0);
     }
     Loads<Space> loads(n);
-    loads.add_couple(grid, Spin<Space>::Ones(), 3);
-    loads.add_couple(grid, Spin<Space>::Ones(), 3 + 1e-13);
-    CHECK(loads.end_couple == 2 * Spin<Space>::Ones());
-    CHECK(sum(loads.couple).norm() == 0);
-    CHECK(loads.has_couples());
+    loads.add_moment(grid, Spin<Space>::Ones(), 3);
+    loads.add_moment(grid, Spin<Space>::Ones(), 3 + 1e-13);
+    CHECK(loads.end_moment == 2 * Spin<Space>::Ones());
+    CHECK(sum(loads.moment).norm() == 0);
+    CHECK(loads.has_moments());
   }
 }
 
@@ -124,33 +124,33 @@ TEST_CASE_TEMPLATE("distributed loads", Space, EACH_SPACE) {
   const Grid grid = random.grid(n, 3);
   std::vector<Point<Space>> f;
   std::vector<Spin<Space>> l;
-  Point<Space> total = Point<Space>::Zero(), moment = Point<Space>::Zero();
-  Spin<Space> couple = Spin<Space>::Zero();
+  Point<Space> total = Point<Space>::Zero(), lever = Point<Space>::Zero();
+  Spin<Space> moment = Spin<Space>::Zero();
   for (int j = 0; j < n; ++j) {
     f.push_back(random.vector<Space::dim>());
     l.push_back(random.vector<Space::spin>());
     total += grid.h(j) * f[j];
-    moment += grid.h(j) * grid.centre(j) * f[j];
-    couple += grid.h(j) * l[j];
+    lever += grid.h(j) * grid.centre(j) * f[j];
+    moment += grid.h(j) * l[j];
   }
   Loads<Space> loads(n);
   loads.add_force_per_length(grid, f);
-  loads.add_couple_per_length(grid, l);
+  loads.add_moment_per_length(grid, l);
   CHECK(distance(sum(loads.force), total) < 1e-14);
-  CHECK(distance(first_moment(grid, loads), moment) < 1e-14);
-  CHECK(distance(sum(loads.couple), couple) < 1e-14);
-  CHECK(loads.end_couple.norm() == 0);
+  CHECK(distance(first_moment(grid, loads), lever) < 1e-14);
+  CHECK(distance(sum(loads.moment), moment) < 1e-14);
+  CHECK(loads.end_moment.norm() == 0);
 }
 
 TEST_CASE_TEMPLATE("loads that are not finite, or add up to what is not, are refused", Space,
                    EACH_SPACE) {
   Loads<Space> loads(3);
-  loads.force[2][0] = loads.couple[1][0] = 1e308;
+  loads.force[2][0] = loads.moment[1][0] = 1e308;
   CHECK_NOTHROW(loads.check());
   loads.force[3][0] = 1e308;
   CHECK_REFUSED("loads: the section force is not finite", loads.check());
   loads.force[3][0] = 0;
-  loads.end_couple[0] = 1e308;
+  loads.end_moment[0] = 1e308;
   CHECK_REFUSED("loads: the moments add up to what is not finite", loads.check());
 }
 
@@ -159,27 +159,27 @@ TEST_CASE_TEMPLATE("sections carry what acts behind them", Space, EACH_SPACE) {
   const int n = 7;
   Loads<Space> loads(n);
   for (auto& F : loads.force) F = random.vector<Space::dim>();
-  for (auto& M : loads.couple) M = random.vector<Space::spin>();
-  loads.end_couple = random.vector<Space::spin>();
+  for (auto& M : loads.moment) M = random.vector<Space::spin>();
+  loads.end_moment = random.vector<Space::spin>();
   const auto force = loads.section_forces();
-  const auto couple = loads.couples_behind();
+  const auto moment = loads.moments_behind();
   REQUIRE(force.size() == n);
-  REQUIRE(couple.size() == n + 1);
+  REQUIRE(moment.size() == n + 1);
   CHECK(distance(force[n - 1], loads.force[n]) == 0);
-  CHECK(distance(couple[n], loads.end_couple) == 0);
+  CHECK(distance(moment[n], loads.end_moment) == 0);
   for (int j = 0; j < n; ++j) {
     if (j > 0) CHECK(distance(force[j - 1], force[j] + loads.force[j]) < 1e-15);
-    CHECK(distance(couple[j], couple[j + 1] + loads.couple[j]) < 1e-15);
+    CHECK(distance(moment[j], moment[j + 1] + loads.moment[j]) < 1e-15);
   }
 }
 
-TEST_CASE("only couples are couples") {
+TEST_CASE("only moments are moments") {
   Loads<Spatial> loads(3);
-  CHECK_FALSE(loads.has_couples());
+  CHECK_FALSE(loads.has_moments());
   loads.force[1] = Vec3::Ones();
-  CHECK_FALSE(loads.has_couples());
-  loads.couple[2][1] = 1e-300;
-  CHECK(loads.has_couples());
+  CHECK_FALSE(loads.has_moments());
+  loads.moment[2][1] = 1e-300;
+  CHECK(loads.has_moments());
 }
 
 TEST_CASE("loads beside the rod are refused") {
@@ -187,5 +187,5 @@ TEST_CASE("loads beside the rod are refused") {
   Loads<Spatial> loads(3);
   CHECK_REFUSED("at: must be an arc length on the rod, in [0, 1], got 1.5",
                 loads.add_force(grid, Vec3::Ones(), 1.5));
-  CHECK_REFUSED("at:", loads.add_couple(grid, Vec3::Ones(), -0.1));
+  CHECK_REFUSED("at:", loads.add_moment(grid, Vec3::Ones(), -0.1));
 }

@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("at first all is at rest, at last all is where it is held", S
   CHECK(distance(x.positions, rest.positions) < 1e-15);
   CHECK(distance(x.node_frames, rest.node_frames) < 1e-15);
   auto here = problem.linearisation();
-  problem.linearise(x, Curvature::exact, here);
+  problem.linearise(x, Hessian::exact, here);
   CHECK(here.gradient.norm() < 1e-12 * problem.unit_energy());
 
   shapes.move_supports(1, rest, x);

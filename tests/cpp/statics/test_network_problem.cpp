@@ -53,7 +53,7 @@ struct Check {
     x = random_state(random, layout);
   }
 
-  auto linearised(const NetworkState<Space>& at, Curvature kind = Curvature::exact) const {
+  auto linearised(const NetworkState<Space>& at, Hessian kind = Hessian::exact) const {
     auto out = statics.linearisation();
     statics.linearise(at, kind, out);
     return out;
@@ -161,18 +161,18 @@ TEST_CASE_TEMPLATE("each support by itself: gradient and tangent", Space, EACH_S
   }
 }
 
-TEST_CASE_TEMPLATE("everything at once: with and without couples, followers, closed rods", Space,
+TEST_CASE_TEMPLATE("everything at once: with and without moments, followers, closed rods", Space,
                    EACH_SPACE) {
   Random random(2);
-  for (const bool couples : {false, true})
+  for (const bool moments : {false, true})
     for (const bool followers : {false, true})
       for (const bool closed : {false, true}) {
-        CAPTURE(couples);
+        CAPTURE(moments);
         CAPTURE(followers);
         CAPTURE(closed);
         const Check<Space> check(random,
-                                 random_network<Space>(random, {couples, followers, closed}));
-        CHECK(check.statics.conservative() == (!followers && (Space::spin == 1 || !couples)));
+                                 random_network<Space>(random, {moments, followers, closed}));
+        CHECK(check.statics.conservative() == (!followers && (Space::spin == 1 || !moments)));
         check.run(random);
       }
 }
@@ -181,7 +181,7 @@ TEST_CASE_TEMPLATE("the convex Hessian stands in for the exact one", Space, EACH
   Random random(3);
   const Check<Space> check(random, random_network<Space>(random, {.closed = true}));
   const auto exact = check.linearised(check.x);
-  const auto convex = check.linearised(check.x, Curvature::convex);
+  const auto convex = check.linearised(check.x, Hessian::convex);
   CHECK(convex.energy == exact.energy);
   CHECK(distance(convex.gradient, exact.gradient) == 0);
   const Vector& weights = check.statics.weights();
@@ -201,10 +201,10 @@ TEST_CASE_TEMPLATE("a part of the loads is a network with that part of them", Sp
   auto weaker = net;
   for (auto& loads : weaker.loads) {
     for (auto& F : loads.force) F *= part;
-    for (auto& m : loads.couple) m *= part;
-    loads.start_couple *= part, loads.end_couple *= part, loads.following_end_couple *= part;
-    for (auto& f : loads.following_forces) f.force *= part;
-    for (auto& m : loads.following_couples) m.couple *= part;
+    for (auto& m : loads.moment) m *= part;
+    loads.start_moment *= part, loads.end_moment *= part, loads.follower_end_moment *= part;
+    for (auto& f : loads.follower_forces) f.force *= part;
+    for (auto& m : loads.follower_moments) m.moment *= part;
   }
   for (auto& v : weaker.nodes) v.force *= part, v.moment *= part;
   Check<Space> whole(random, net);

@@ -33,7 +33,7 @@ Structure<Spatial> portal(double L = 1, double EI = 1) {
   s.hinge(2, 35);
   s.net.loads[1].force[15] = F * Vec3(0.3, 0, -1.5);
   s.net.nodes[other].force = F * Vec3(0.4, 0, 0.1);
-  s.net.loads[2].couple[10] = F * L * Vec3(0, 0.3, 0);
+  s.net.loads[2].moment[10] = F * L * Vec3(0, 0.3, 0);
   return s;
 }
 
@@ -45,8 +45,8 @@ Network<Spatial> carried(Network<Spatial> net, const Vec3& shift, const Quaterni
   for (auto& p : net.placements) point(p.position), frame(p.frame);
   for (auto& loads : net.loads) {
     for (auto& F : loads.force) vector(F);
-    for (auto& m : loads.couple) vector(m);
-    vector(loads.start_couple), vector(loads.end_couple);
+    for (auto& m : loads.moment) vector(m);
+    vector(loads.start_moment), vector(loads.end_moment);
   }
   for (auto& v : net.nodes) {
     point(v.position), frame(v.frame), vector(v.force), vector(v.moment);
@@ -147,9 +147,9 @@ TEST_CASE("a rigid motion of everything moves the solution, and nothing else") {
   Random random(2);
   const Vec3 shift = 3 * random.vector<3>();
   const Quaternion turn = random.rotation<Spatial>();
-  for (const bool couples : {false, true}) {
-    CAPTURE(couples);
-    const auto net = random_network<Spatial>(random, {.couples = couples});
+  for (const bool moments : {false, true}) {
+    CAPTURE(moments);
+    const auto net = random_network<Spatial>(random, {.moments = moments});
     const auto a = solved(net), b = solved(carried(net, shift, turn));
     REQUIRE(a.status == Status::converged);
     REQUIRE(b.status == Status::converged);

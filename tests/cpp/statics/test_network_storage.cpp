@@ -61,13 +61,13 @@ TEST_CASE_TEMPLATE("gradient and tangent of spans of any length", Space, EACH_SP
       const NetworkProblem<Space> statics(layout);
       const auto x = random_state(random, layout);
       auto here = statics.linearisation();
-      statics.linearise(x, Curvature::exact, here);
+      statics.linearise(x, Hessian::exact, here);
       const Vector δ = random.vector(int(here.gradient.size())) / std::sqrt(edges);
       const auto moved_by = [&](double t) {
         NetworkState<Space> y;
         statics.move(x, t * δ, y);
         auto out = statics.linearisation();
-        statics.linearise(y, Curvature::exact, out);
+        statics.linearise(y, Hessian::exact, out);
         return out;
       };
       check_slope([&](double t) { return moved_by(t).energy; }, here.gradient.dot(δ), 0.02);
@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("a span reaches as far as the forces in all of its edges make
     const NetworkProblem<Space> statics(layout);
     const auto x = random_state(random, layout);
     auto here = statics.linearisation();
-    statics.linearise(x, Curvature::exact, here);
+    statics.linearise(x, Hessian::exact, here);
     const auto n = statics.forces(x).sections;
     Point<Space> gap = x.positions[1] - x.positions[0];
     for (int j = 0; j < edges; ++j) {
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("nothing is left of what the storage held before", Space, EAC
     const Layout<Space> layout(net);
     const NetworkProblem<Space> statics(layout);
     const auto x = random_state(random, layout);
-    for (const Curvature kind : {Curvature::exact, Curvature::convex}) {
+    for (const Hessian kind : {Hessian::exact, Hessian::convex}) {
       auto fresh = statics.linearisation(), used = statics.linearisation();
       std::fill(used.hessian.values.begin(), used.hessian.values.end(), std::nan(""));
       used.gradient.setConstant(std::nan(""));
@@ -138,8 +138,8 @@ TEST_CASE_TEMPLATE("once there is storage, networks allocate nothing", Space, EA
   Vector out(δ.size());
   const std::size_t before = allocations();
   Eigen::internal::set_is_malloc_allowed(false);  // Eigen's assertions see to it
-  statics.linearise(x, Curvature::exact, here);
-  statics.linearise(x, Curvature::convex, here);
+  statics.linearise(x, Hessian::exact, here);
+  statics.linearise(x, Hessian::convex, here);
   statics.move(x, δ, y);
   statics.multiply_skew(x, δ, out);
   Eigen::internal::set_is_malloc_allowed(true);

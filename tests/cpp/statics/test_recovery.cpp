@@ -31,10 +31,10 @@ struct Solved {
 };
 
 constexpr Acting all_kinds[] = {{},
-                                {.couples = true},
+                                {.moments = true},
                                 {.followers = true},
                                 {.closed = true},
-                                {.couples = true, .followers = true}};
+                                {.moments = true, .followers = true}};
 
 /// Of forces of order 1 that act on arms of order 1.
 constexpr double rounding = 1e-12;
@@ -129,14 +129,14 @@ TEST_CASE_TEMPLATE("energies are those of the rods in positions and frames", Spa
 TEST_CASE_TEMPLATE("section moments and forces balance the loads, edge by edge", Space,
                    EACH_SPACE) {
   Random random(5);
-  for (const bool couples : {false, true}) {
-    const Solved<Space> s(random, {.couples = couples});
+  for (const bool moments : {false, true}) {
+    const Solved<Space> s(random, {.moments = moments});
     const auto& rod = s.rod(0);
     const auto& loads = s.net.loads[0];
     for (int j = 0; j < s.net.rods[0].edges(); ++j) {
       const Point<Space> edge = rod.curve.positions[j + 1] - rod.curve.positions[j];
       const Spin<Space> change = rod.moment[j] - rod.moment[j + 1];
-      const Spin<Space> load = cross(edge, rod.force[j]) + loads.couple[j];
+      const Spin<Space> load = cross(edge, rod.force[j]) + loads.moment[j];
       CHECK(distance(change, load) < 10 * rounding);
       if (j > 0)
         CHECK(distance(rod.force[j - 1], Point<Space>(rod.force[j] + loads.force[j])) < 1e-13);
@@ -151,7 +151,7 @@ TEST_CASE_TEMPLATE("a free end turns by what acts on it, dead or following", Spa
     s.add(random.rod<Space>(7));
     s.clamp(0, 0);
     const Spin<Space> M = random.vector<Space::spin>();
-    (following ? s.net.loads[0].following_end_couple : s.net.loads[0].end_couple) = M;
+    (following ? s.net.loads[0].follower_end_moment : s.net.loads[0].end_moment) = M;
     const auto result = solved(s.net);
     REQUIRE(result.status == Status::converged);
     const auto& rod = result.solution.rods[0];

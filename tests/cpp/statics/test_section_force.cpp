@@ -12,7 +12,7 @@ using namespace pyrod::test;
 
 namespace {
 
-template <class Case, Curvature kind = Curvature::exact>
+template <class Case, Hessian kind = Hessian::exact>
 auto term(const typename Case::Space::Rotation& frame, const Point<typename Case::Space>& n,
           const Point<typename Case::Space>& stiffness, double h) {
   using Space = typename Case::Space;
@@ -49,15 +49,15 @@ TEST_CASE_TEMPLATE("the convex Hessian of an edge", Case, EACH_MODEL) {
     const auto frame = random.rotation<Space>(6);
     const Point<Space> n = 3 * random.vector<Space::dim>(), C = random.between<Space::dim>(2, 6);
     const auto exact = term<Case>(frame, n, C, 0.7);
-    const auto convex = term<Case, Curvature::convex>(frame, n, C, 0.7);
+    const auto convex = term<Case, Hessian::convex>(frame, n, C, 0.7);
     CHECK(convex.energy == exact.energy);
     CHECK(distance(convex.gradient, exact.gradient) == 0);
     CHECK(eigenvalues(convex.hessian)[0] >= 0);
     CHECK(convex.hessian.allFinite());
   }
   // Without a force there is nothing.
-  const auto idle = term<Case, Curvature::convex>(random.rotation<Space>(), Point<Space>::Zero(),
-                                                  Point<Space>::Ones(), 0.7);
+  const auto idle = term<Case, Hessian::convex>(random.rotation<Space>(), Point<Space>::Zero(),
+                                                Point<Space>::Ones(), 0.7);
   CHECK(idle.hessian.norm() == 0);
 }
 
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("the convex Hessian leads the edge to the direction of its fo
   for (int i = 0; i < 50; ++i) {
     const auto frame = random.rotation<Space>(3);
     const Point<Space> n = random.vector<Space::dim>();
-    const auto jet = term<Case, Curvature::convex>(frame, n, Point<Space>::Ones(), 0.7);
+    const auto jet = term<Case, Hessian::convex>(frame, n, Point<Space>::Ones(), 0.7);
     const double k = jet.hessian(0, 0);
     REQUIRE(k > 0);
     const auto aligned = moved(frame, Spin<Space>(-jet.gradient / k));

@@ -20,9 +20,9 @@ Scene<Spatial> in_space(const Scene<Planar>& flat, const Placement<Spatial>& cla
   for (const auto& K : flat.rod.K0) out.rod.K0.push_back(embed_spin(K));
   for (int j = 0; j <= n; ++j) {
     out.loads.force[j] = rotate(clamp.frame, embed(flat.loads.force[j]));
-    if (j < n) out.loads.couple[j] = rotate(clamp.frame, embed_spin(flat.loads.couple[j]));
+    if (j < n) out.loads.moment[j] = rotate(clamp.frame, embed_spin(flat.loads.moment[j]));
   }
-  out.loads.end_couple = rotate(clamp.frame, embed_spin(flat.loads.end_couple));
+  out.loads.end_moment = rotate(clamp.frame, embed_spin(flat.loads.end_moment));
   return out;
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("what leaves the plane is refused in the plane, and only there") {
   scene = good, scene.loads.force[4] += 1e-9 * rotate(clamp.frame, Vec3::UnitY());
   begins(attempt(scene, Dimension::planar), "loads: a force (");
   CHECK(attempt(scene, Dimension::spatial) == "(not refused)");
-  scene = good, scene.loads.end_couple += 1e-9 * rotate(clamp.frame, Vec3::UnitZ());
+  scene = good, scene.loads.end_moment += 1e-9 * rotate(clamp.frame, Vec3::UnitZ());
   begins(attempt(scene, Dimension::planar), "loads: a moment (");
-  scene = good, scene.loads.couple[2] += 1e-9 * rotate(clamp.frame, Vec3::UnitX());
+  scene = good, scene.loads.moment[2] += 1e-9 * rotate(clamp.frame, Vec3::UnitX());
   begins(attempt(scene, Dimension::planar), "loads: a moment (");
 }

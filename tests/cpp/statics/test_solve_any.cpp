@@ -23,7 +23,7 @@ Scene<Spatial> rod_under(const std::function<void(Loads<Spatial>&, const Grid&)>
 TEST_CASE("what follows a clamped rod is solved, in plane and space and by each model") {
   const Vec3 f(3, 0, -1);
   const auto scene =
-      rod_under([&](auto& loads, const Grid& grid) { loads.add_following_force(grid, f, 1); });
+      rod_under([&](auto& loads, const Grid& grid) { loads.add_follower_force(grid, f, 1); });
   for (const auto dimension : {Dimension::planar, Dimension::spatial})
     for (const auto model : {ModelKind::cosserat, ModelKind::extensible, ModelKind::inextensible}) {
       const auto found = solved(scene.rod, dimension, model, somewhere, scene.loads);

@@ -17,7 +17,7 @@ const Grid& grid() {
 constexpr int at = 3;
 
 template <class Space>
-Spin<Space> couple() {
+Spin<Space> moment() {
   Spin<Space> M = Spin<Space>::Zero();
   M[Space::spin == 1 ? 0 : 1] = 2;
   return M;
@@ -30,7 +30,7 @@ RodSolution<Space> arc(const Rod<Space>& rod) {
   s.curve.start_frame = Space::Rotation::Identity();
   const double end = grid().s(at);
   const auto turned = [&](double length) {
-    return exp(Spin<Space>(std::min(length, end) * couple<Space>().cwiseQuotient(rod.bending[0])));
+    return exp(Spin<Space>(std::min(length, end) * moment<Space>().cwiseQuotient(rod.bending[0])));
   };
   for (int j = 0; j < 5; ++j) s.curve.frames.push_back(turned(grid().centre(j)));
   s.curve.end_frame = turned(1);
@@ -50,18 +50,18 @@ TEST_CASE_TEMPLATE("a moment at a vertex: both sides, and the frame between", Sp
   for (const bool follows : {false, true}) {
     Loads<Space> loads(5);
     if (follows)
-      loads.add_following_couple(grid(), couple<Space>(), grid().s(at));
+      loads.add_follower_moment(grid(), moment<Space>(), grid().s(at));
     else
-      loads.add_couple(grid(), couple<Space>(), grid().s(at));
+      loads.add_moment(grid(), moment<Space>(), grid().s(at));
     auto s = arc(rod);
     Vertices<Space>(rod, loads).see(s, std::vector<Point<Space>>(5, Point<Space>::Zero()));
     REQUIRE(s.before.size() == 1);
     const auto& before = s.before[0];
     CHECK(before.vertex == at);
     CHECK(before.halves);
-    CHECK(distance(before.moment, couple<Space>()) < 1e-15);
+    CHECK(distance(before.moment, moment<Space>()) < 1e-15);
     CHECK(distance(s.moment[at], Spin<Space>::Zero().eval()) < 1e-15);
-    CHECK(distance(before.K, Spin<Space>(couple<Space>() / 0.8)) < 1e-14);
+    CHECK(distance(before.K, Spin<Space>(moment<Space>() / 0.8)) < 1e-14);
     CHECK(distance(s.strains.K[at], Spin<Space>::Zero().eval()) < 1e-14);
     CHECK(distance(s.vertex_frames[at], s.curve.frames[at]) < 1e-14);  // straight behind
   }
@@ -72,8 +72,8 @@ TEST_CASE_TEMPLATE("a held vertex has the node's frame, with the sign of its nei
   const auto rod =
       Rod<Space>::uniform(grid(), Spin<Space>::Constant(0.8), Point<Space>::Constant(1e3));
   auto s = arc(rod);
-  const auto frame = exp(Spin<Space>(0.4 * couple<Space>()));
-  const Spin<Space> before = 3 * couple<Space>();
+  const auto frame = exp(Spin<Space>(0.4 * moment<Space>()));
+  const Spin<Space> before = 3 * moment<Space>();
   std::vector<Point<Space>> force(5, Point<Space>::Ones());
   force[at] *= 2;
   Vertices<Space>(rod, Loads<Space>(5), {{at, frame, before}}).see(s, force);

@@ -39,7 +39,7 @@ Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind
 
 template <class Space>
 Scene<Space> rich_scene(int edges, double length, double stiffness) {
-  const double L = length, EI = stiffness, force = EI / (L * L), couple = EI / L;
+  const double L = length, EI = stiffness, force = EI / (L * L), moment = EI / L;
   const auto s = [&](double ξ) { return L * (ξ + 0.05 * std::sin(2 * std::numbers::pi * ξ)); };
   const auto spin = [](double a, double b, double c) { return restrict_spin<Space>({a, b, c}); };
   const auto point = [](double a, double b, double c) { return restrict_point<Space>({a, b, c}); };
@@ -59,13 +59,13 @@ Scene<Space> rich_scene(int edges, double length, double stiffness) {
     const double x = rod.grid.centre(j) / L;
     scene.rod.stretching.push_back(force * point(40 + 10 * x, 60, 100 - 20 * x));
     weight.push_back(force / L * point(0.5, -1, -1 - x));
-    twisting.push_back(couple / L * spin(0.1, 0.2 * x, 0.3));
+    twisting.push_back(moment / L * spin(0.1, 0.2 * x, 0.3));
   }
   scene.loads.add_force_per_length(rod.grid, weight);
-  scene.loads.add_couple_per_length(rod.grid, twisting);
+  scene.loads.add_moment_per_length(rod.grid, twisting);
   scene.loads.add_force(rod.grid, force * point(2, 1, -1), L);
   scene.loads.add_force(rod.grid, force * point(-1, 1, 0.5), L / 2);
-  scene.loads.add_couple(rod.grid, couple * spin(0.3, -0.4, 0.2), L);
+  scene.loads.add_moment(rod.grid, moment * spin(0.3, -0.4, 0.2), L);
   return scene;
 }
 

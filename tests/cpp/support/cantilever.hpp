@@ -44,7 +44,7 @@ Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind
                          const std::vector<Quaternion>& start = {}, bool stable = true);
 
 /// Everything at once, in units of the length and of force EI/L²: stiffness and rest curvature vary
-/// along the rod, so do the edges; a force at the tip and one in the middle, weight, and couples.
+/// along the rod, so do the edges; a force at the tip and one in the middle, weight, and moments.
 /// The same rod for every even number of edges.
 template <class Space>
 Scene<Space> rich_scene(int edges, double length = 1, double stiffness = 1);

@@ -31,7 +31,7 @@ struct ConstrainedProblem {
     const int all = size + constraints;
     return {0, 0, Vector::Zero(all), sparse(Dense::Zero(all, all))};
   }
-  void linearise(const State& state, Curvature, Storage& out) const {
+  void linearise(const State& state, Hessian, Storage& out) const {
     const Vector x = state.head(size), λ = state.tail(constraints);
     const Dense C = slopes(x);
     out.energy = f(x) + λ.dot(c(x));

@@ -26,12 +26,12 @@ struct FlatProblem {
   Storage linearisation() const {
     return {0, 0, Vector::Zero(size), sparse(Dense::Zero(size, size))};
   }
-  void linearise(const State& x, Curvature kind, Storage& out) const {
+  void linearise(const State& x, Hessian kind, Storage& out) const {
     out.energy = f(x);
     out.magnitude = std::abs(out.energy);
     out.gradient = slope(x);
     out.hessian.values =
-        sparse(kind == Curvature::convex && convex ? convex(x) : curvature(x)).values;
+        sparse(kind == Hessian::convex && convex ? convex(x) : curvature(x)).values;
   }
   void move(const State& x, const Vector& δ, State& out) const { out = x + δ; }
   bool conservative() const { return !skew; }

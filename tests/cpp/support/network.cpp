@@ -32,18 +32,18 @@ void load(Random& random, Network<Space>& net, const Acting& acting) {
     const int n = net.rods[rod].edges();
     const bool closed = net.rods[rod].grid.closed();
     for (auto& F : loads.force) F = force();
-    if (acting.couples) {
-      for (auto& m : loads.couple) m = moment();
-      if (!closed) loads.start_couple = moment(), loads.end_couple = moment();
+    if (acting.moments) {
+      for (auto& m : loads.moment) m = moment();
+      if (!closed) loads.start_moment = moment(), loads.end_moment = moment();
     }
     if (!acting.followers) continue;
-    loads.following_forces = {{1, 2, force()}, {0, 0, force()}, {n - 1, n, force()}};
-    loads.following_couples = {{2, moment()}};
-    if (!closed) loads.following_end_couple = moment();
+    loads.follower_forces = {{1, 2, force()}, {0, 0, force()}, {n - 1, n, force()}};
+    loads.follower_moments = {{2, moment()}};
+    if (!closed) loads.follower_end_moment = moment();
   }
   for (auto& v : net.nodes) {
     v.force = force();
-    if (acting.couples) v.moment = moment();
+    if (acting.moments) v.moment = moment();
   }
 }
 

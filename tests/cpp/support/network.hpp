@@ -86,7 +86,7 @@ struct Structure {
 
 /// What acts on a random network.
 struct Acting {
-  bool couples = false, followers = false, closed = false;
+  bool moments = false, followers = false, closed = false;
 };
 
 /// Rods of all kinds that hang on a clamp, a joint, a roller, a pivot, a hinge and a spring.

@@ -2,7 +2,7 @@
 /// \file Bending and twisting energy of one vertex cell, Linn (49), with gradient and Hessian.
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
@@ -22,7 +22,7 @@ struct TurnJet {
 
 /// `u` = 2 log W is the turn at the vertex, k = C/Δs the stiffness against it, `rest` = Δs K0 the
 /// turn at rest.
-template <Curvature, class Real>
+template <Hessian, class Real>
 TurnJet<Planar, Real> bend_twist(const std::type_identity_t<Vec<1, Real>>& u,
                                  const PlanarLogDifferentialOf<Real>&,
                                  const std::type_identity_t<Vec<1, Real>>& stiffness,
@@ -42,7 +42,7 @@ TurnJet<Planar, Real> bend_twist(const std::type_identity_t<Vec<1, Real>>& u,
 ///   bb, aa = B − Q ± O,   ab = −(B + Q) + M + [r],
 ///   B = d² k + α I + u eᵀ + e uᵀ,   O = ½ d (k [u] − [u] k) + u oᵀ + o uᵀ,
 ///   Q = ¼ [u] k [u],   M = ¼ ([u] [m] + [m] [u]) = ¼ (u mᵀ + m uᵀ) − ½ u·m I.
-template <Curvature kind, class Real>
+template <Hessian kind, class Real>
 TurnJet<Spatial, Real> bend_twist(const std::type_identity_t<Vec<3, Real>>& u,
                                   const LogDifferentialOf<Real>& dlog,
                                   const std::type_identity_t<Vec<3, Real>>& k,
@@ -64,7 +64,7 @@ TurnJet<Spatial, Real> bend_twist(const std::type_identity_t<Vec<3, Real>>& u,
   Vector3 o = -c / 2 * uxku;
   Vector3 r = -c / 2 * u.cross(uxku);
   for (int i = 0; i < 3; ++i) r[i] -= d / 2 * (k[(i + 1) % 3] + k[(i + 2) % 3]) * u[i];
-  if constexpr (kind == Curvature::exact) {
+  if constexpr (kind == Hessian::exact) {
     const Real slope = dlog.slope();
     α = um * (c * d - 0.25);
     e += (0.25 - c - (c * c + slope) * θ2) / 2 * m + ((2 * c * c + slope) / 2 * um) * u;
@@ -87,7 +87,7 @@ TurnJet<Spatial, Real> bend_twist(const std::type_identity_t<Vec<3, Real>>& u,
     jet.ab(j, l) = -(B + Q) - r[i];
     jet.ab(l, j) = -(B + Q) + r[i];
 
-    if constexpr (kind == Curvature::exact) {
+    if constexpr (kind == Hessian::exact) {
       const Real M = (u[j] * m[l] + m[j] * u[l]) / 4;
       jet.ab(i, i) -= (u[j] * m[j] + u[l] * m[l]) / 2;
       jet.ab(j, l) += M;
@@ -98,7 +98,7 @@ TurnJet<Spatial, Real> bend_twist(const std::type_identity_t<Vec<3, Real>>& u,
 }
 
 /// From C = (EI1, EI2, GJ) or EI2 at the vertex and its rest curvature K0.
-template <Curvature kind, class Differential, int N>
+template <Hessian kind, class Differential, int N>
 auto bend_twist(const Vec<N>& u, const Differential& dlog, const Vec<N>& C, const Vec<N>& K0,
                 double Δs) {
   return bend_twist<kind>(u, dlog, C / Δs, Δs * K0);

@@ -5,7 +5,7 @@
 /// r_0, q_{1/2}, r_1, q_{3/2}, …, r_n; frames move as R ← R exp(φ).
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/bend_twist.hpp>
@@ -67,8 +67,8 @@ EnergyJet energy(const Rod<Space>& rod, const CosseratCurve<Space>& curve, HeldE
   for (int j = 0; j <= n; ++j) {  // vertices
     if ((j == 0 && !held.start) || (j == n && !held.end)) continue;
     const Spin<Space> u = turn(curve, j);
-    const auto jet = bend_twist<Curvature::exact>(u, typename Space::Differential(u),
-                                                  rod.bending[j], rod.K0[j], rod.grid.Δs(j));
+    const auto jet = bend_twist<Hessian::exact>(u, typename Space::Differential(u), rod.bending[j],
+                                                rod.K0[j], rod.grid.Δs(j));
     out.bend_twist += jet.energy;
     const int a = station * (j - 1) + dim, b = station * j + dim;
     if (j > 0) {

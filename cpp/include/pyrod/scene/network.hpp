@@ -27,7 +27,7 @@ struct Node {
   Directions<Space::spin> turns = Mat<Space::spin>::Identity();  ///< material axes; none: held
   Point<Space> force = Point<Space>::Zero();                     ///< dead
   Spin<Space> moment = Spin<Space>::Zero();                      ///< dead
-  Spin<Space> following_moment = Spin<Space>::Zero();            ///< in the components of the frame
+  Spin<Space> follower_moment = Spin<Space>::Zero();             ///< in the components of the frame
   double spring = 0;          ///< stiffness [N/m] that draws it towards `position`
   double torsion_spring = 0;  ///< stiffness [N m] that turns it towards `frame`
 };
@@ -96,7 +96,7 @@ struct Network {
               numbers.transpose());
     };
     finite(node.position, "position"), finite(node.force, "force"), finite(node.moment, "moment");
-    finite(node.following_moment, "following_moment");
+    finite(node.follower_moment, "follower_moment");
     require_rotation(node.frame, "nodes[", v, "].frame");
     require_orthonormal(node.free, "nodes[", v, "].free");
     require_orthonormal(node.turns, "nodes[", v, "].turns");

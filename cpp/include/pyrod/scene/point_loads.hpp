@@ -48,16 +48,16 @@ struct FollowerForce {
 
 /// A moment that turns with the frame of the edge it acts on; material components.
 template <class Space>
-struct FollowerCouple {
+struct FollowerMoment {
   int edge;
-  Spin<Space> couple;
+  Spin<Space> moment;
 };
 
 /// A moment that acts at an inner vertex, and what of it the edges before and behind feel.
 template <class Space>
-struct VertexCouple {
+struct VertexMoment {
   int vertex;
-  Spin<Space> couple, before, behind;
+  Spin<Space> moment, before, behind;
   bool follows;          ///< material components of the vertex, or of either edge; else spatial
   bool on_node = false;  ///< it acts on the frame of a node, and the edges feel nothing
 };

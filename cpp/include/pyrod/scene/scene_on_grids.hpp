@@ -113,25 +113,25 @@ class LoadedGrid {
   void add(const Force& force) {
     const Site at = site(force.at);
     if (force.follower)
-      loads_.add_following_force(rod_.grid, force.force, at, {rod_.K0.front(), rod_.K0.back()});
+      loads_.add_follower_force(rod_.grid, force.force, at, {rod_.K0.front(), rod_.K0.back()});
     else
       loads_.add_force(rod_.grid, force.force, at);
   }
   void add(const Moment& moment) {
     const Site at = site(moment.at);
-    if (!moment.follower) return loads_.add_couple(rod_.grid, moment.moment, at);
+    if (!moment.follower) return loads_.add_moment(rod_.grid, moment.moment, at);
     const auto vertex = std::size_t(at.edge + (at.part >= 0.5));
-    loads_.add_following_couple(rod_.grid, moment.moment, at, rod_.bending[vertex].cwiseInverse());
+    loads_.add_follower_moment(rod_.grid, moment.moment, at, rod_.bending[vertex].cwiseInverse());
   }
   void add(const DistributedForce& force) {
     const auto f = on_edges(force.force_per_length, "force_per_length");
-    force.follower ? loads_.add_following_force_per_length(rod_.grid, f)
+    force.follower ? loads_.add_follower_force_per_length(rod_.grid, f)
                    : loads_.add_force_per_length(rod_.grid, f);
   }
   void add(const DistributedMoment& moment) {
     const auto l = on_edges(moment.moment_per_length, "moment_per_length");
-    moment.follower ? loads_.add_following_couple_per_length(rod_.grid, l)
-                    : loads_.add_couple_per_length(rod_.grid, l);
+    moment.follower ? loads_.add_follower_moment_per_length(rod_.grid, l)
+                    : loads_.add_moment_per_length(rod_.grid, l);
   }
   void add_weight(const Vec3& acceleration, const std::vector<double>& mass) {
     std::vector<Vec3> f;

@@ -3,7 +3,7 @@
 /// rods.
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/newton.hpp>
 #include <pyrod/solve/status.hpp>
@@ -32,7 +32,7 @@ Path<typename Solver::State> follow(Solver& newton, Set&& set, typename Solver::
   std::vector<Iteration> record;
   const auto solve_at = [&](double λ, typename Solver::State from) {
     set(λ, from);
-    auto result = newton.solve(std::move(from), Curvature::exact);
+    auto result = newton.solve(std::move(from), Hessian::exact);
     record.insert(record.end(), result.record.begin(), result.record.end());
     ++path.steps;
     return result;

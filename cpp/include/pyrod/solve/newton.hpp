@@ -5,7 +5,7 @@
 /// step is tried first and nearly always taken (docs/theory.md, "The solver").
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/options.hpp>
@@ -59,12 +59,12 @@ class Newton {
   Newton& operator=(const Newton&) = delete;
 
   /// `first`: the Hessian of the first step; exact when the start is known to be near.
-  Result<State> solve(State start, Curvature first = Curvature::convex) {
+  Result<State> solve(State start, Hessian first = Hessian::convex) {
     x_ = std::move(start);
-    curvature_ = first;
+    kind_ = first;
     Result<State> result;
     result.record.reserve(usual_iterations);
-    problem_.linearise(x_, curvature_, here_);
+    problem_.linearise(x_, kind_, here_);
     result.status = iterate(result);
     result.state = std::move(x_);
     result.energy = here_.energy;
@@ -79,10 +79,10 @@ class Newton {
   Status iterate(Result<State>& result) {
     if (!std::isfinite(here_.energy)) return Status::not_finite;
     while (result.iterations() < options_.max_iterations) {
-      Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
+      Iteration now{kind_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
       const bool tiny = now.shift == 0 && now.step <= options_.tolerance;
-      const bool last = tiny && curvature_ == Curvature::exact && accurate();
+      const bool last = tiny && kind_ == Hessian::exact && accurate();
       const bool found = search(now, tiny);
       result.record.push_back(now);
       const bool go_on = !trace_ || trace_(now);
@@ -106,7 +106,7 @@ class Newton {
   bool find_step(Iteration& now) {
     factorise(0, now);
     if (trusted(now)) {
-      if (curvature_ == Curvature::exact && !problem_.conservative()) {
+      if (kind_ == Hessian::exact && !problem_.conservative()) {
         correct_skew();
         now.step = largest(δ_);
       }
@@ -136,7 +136,7 @@ class Newton {
   /// Without a potential the inertia of the symmetric part decides nothing.
   bool trusted(const Iteration& now) const {
     if (!std::isfinite(now.step)) return false;
-    if (curvature_ == Curvature::convex || now.step <= options_.tolerance) return true;
+    if (kind_ == Hessian::convex || now.step <= options_.tolerance) return true;
     return now.step <= options_.trust && (inertia_.negative == 0 || !problem_.conservative());
   }
 
@@ -172,10 +172,10 @@ class Newton {
     const double slope = here_.gradient.dot(δ_);
     std::swap(x_, from_);
     for (now.fraction = 1; now.fraction > 1e-8;) {
-      if (tiny || now.fraction * now.step < options_.near) curvature_ = Curvature::exact;
+      if (tiny || now.fraction * now.step < options_.near) kind_ = Hessian::exact;
       if (now.fraction < 1) trial_ = now.fraction * δ_;
       problem_.move(from_, now.fraction < 1 ? trial_ : δ_, x_);
-      problem_.linearise(x_, curvature_, here_);
+      problem_.linearise(x_, kind_, here_);
       const double rounding = 1e-13 * (magnitude + here_.magnitude);
       const double goal = energy + 1e-4 * now.fraction * slope + rounding;
       if (tiny) return true;
@@ -184,7 +184,7 @@ class Newton {
       now.fraction *= shrink(here_.energy - energy, slope, now.fraction);
     }
     std::swap(x_, from_);
-    problem_.linearise(x_, curvature_, here_);
+    problem_.linearise(x_, kind_, here_);
     return false;
   }
 
@@ -209,11 +209,11 @@ class Newton {
   Trace trace_;
   Leased<P, Workspace<LinearisationOf<P>, State>> workspace_;
   LinearisationOf<P>& here_;
-  Cholesky& factor_;
+  Ldlt& factor_;
   Vector &δ_, &trial_;
   State x_, &from_;
   Inertia inertia_;
-  Curvature curvature_ = Curvature::convex;
+  Hessian kind_ = Hessian::convex;
 };
 
 }  // namespace pyrod

@@ -3,7 +3,7 @@
 /// solver sees numbers.
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
@@ -14,13 +14,13 @@
 namespace pyrod {
 
 /// Value, gradient and Hessian at a state, in storage that is made once.
-template <class Hessian>
+template <class Matrix>
 struct Linearisation {
   double energy = 0;
   double magnitude =
       0;  ///< sum of the absolute values the energy was summed from: its rounding scale
   Vector gradient;
-  Hessian hessian;  ///< symmetric part of the tangent
+  Matrix hessian;  ///< symmetric part of the tangent
 };
 
 template <class P>
@@ -30,7 +30,7 @@ template <class P>
 concept Problem = requires(const P p, const typename P::State x, typename P::State y,
                            LinearisationOf<P> at_x, const Vector v, Vector w) {
   { p.linearisation() };                       // storage, with the Hessian's pattern
-  { p.linearise(x, Curvature::exact, at_x) };  // energy, gradient and Hessian in one pass
+  { p.linearise(x, Hessian::exact, at_x) };    // energy, gradient and Hessian in one pass
   { p.move(x, v, y) };                         // y = x moved by the increments v
   { p.conservative() } -> std::same_as<bool>;  // whether the energy is a potential of all forces
   { p.multiply_skew(x, v, w) };                // w = (tangent − symmetric part) v

@@ -7,7 +7,7 @@
 /// measured by the augmented Lagrangian with the new multipliers, or by the next simplified step.
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/solve/anchor.hpp>
 #include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/mode.hpp>
@@ -63,10 +63,10 @@ class SaddleNewton {
   /// `first`: the Hessian of the first step. `estimate`: the multipliers of `start` mean nothing,
   /// and those that come nearest to balancing it are taken first. `anchored`: see
   /// `Anchor`.
-  Result<State> solve(State start, Curvature first = Curvature::convex, bool estimate = false,
+  Result<State> solve(State start, Hessian first = Hessian::convex, bool estimate = false,
                       bool anchored = false) {
     x_ = std::move(start);
-    curvature_ = first;
+    kind_ = first;
     anchor_.drop(anchored, δ_.size());
     Result<State> result;
     result.record.reserve(std::size_t(std::min(options_.max_iterations, 64)));
@@ -119,7 +119,7 @@ class SaddleNewton {
   static double largest(const Vector& v) { return v.template lpNorm<Eigen::Infinity>(); }
 
   void linearise() {
-    problem_.linearise(x_, curvature_, here_);
+    problem_.linearise(x_, kind_, here_);
     problem_.multiplier_sizes(x_, sizes_);
     factor_.renew(softness_, sizes_);
     rounding_known_ = false;
@@ -148,9 +148,9 @@ class SaddleNewton {
     double before = std::numeric_limits<double>::infinity();  // the step
     int reopened = 0;                                         // times that the last step left a gap
     while (result.iterations() < options_.max_iterations) {
-      Iteration now{curvature_, here_.energy, residual(), 0, 1, 0, 0};
+      Iteration now{kind_, here_.energy, residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
-      const bool exact = curvature_ == Curvature::exact;
+      const bool exact = kind_ == Hessian::exact;
       const bool tiny = exact && !has_shift(now) && !anchor_.holds() &&
                         now.step <= options_.tolerance && met() && settled(now) &&
                         tests_.accurate(here_, x_, δ_, rounding_here(), trial_);
@@ -178,7 +178,7 @@ class SaddleNewton {
     factorise(anchor_.weight(), now);
     now.shift = 0;
     const bool potential = problem_.conservative();
-    if (std::isfinite(now.step) && curvature_ == Curvature::exact &&
+    if (std::isfinite(now.step) && kind_ == Hessian::exact &&
         (!potential || falls_short(now.step <= options_.tolerance)))
       correct_step(now);
     if (std::isfinite(now.step) && (!potential || !minimum_ || factor_.index() == 0 ||
@@ -250,9 +250,9 @@ class SaddleNewton {
     const double length = primal_.norm();
     anchor_.leave();
     std::swap(x_, from_);
-    now.fraction = curvature_ == Curvature::exact ? std::min(1., options_.trust / now.step) : 1;
+    now.fraction = kind_ == Hessian::exact ? std::min(1., options_.trust / now.step) : 1;
     for (; now.fraction > 1e-6; now.fraction /= 2) {
-      if (tiny || now.fraction * now.step < options_.near) curvature_ = Curvature::exact;
+      if (tiny || now.fraction * now.step < options_.near) kind_ = Hessian::exact;
       trial_ = now.fraction * primal_;
       multipliers_.copy(δ_, trial_);
       problem_.move(from_, trial_, x_);
@@ -282,7 +282,7 @@ class SaddleNewton {
   bool contracts(const Iteration& now, double length) {
     if (!here_.gradient.allFinite()) return false;
     factor_.solve(pull(), trial_);
-    if (now.curvature == Curvature::exact && !problem_.conservative()) correct(from_, trial_);
+    if (now.kind == Hessian::exact && !problem_.conservative()) correct(from_, trial_);
     multipliers_.set(0, trial_);
     return trial_.norm() <= (1 - now.fraction / 4) * length;
   }
@@ -302,7 +302,7 @@ class SaddleNewton {
   Vector &δ_, &primal_, &dual_, &trial_, &sizes_, &rounding_;  ///< see `SaddleWorkspace`
   Anchor anchor_;
   bool rounding_known_ = false;
-  Curvature curvature_ = Curvature::convex;
+  Hessian kind_ = Hessian::convex;
 };
 
 }  // namespace pyrod

@@ -11,7 +11,7 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/solve/multipliers.hpp>
 #include <pyrod/solve/skew_solver.hpp>
-#include <pyrod/sparse/cholesky.hpp>
+#include <pyrod/sparse/ldlt.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
 #include <concepts>
@@ -123,7 +123,7 @@ class ShiftedFactor {
   SymmetricMatrix& K_;
   Vector stiffness_;
   Multipliers multipliers_;
-  Cholesky factor_;
+  Ldlt factor_;
   Inertia inertia_;
   std::optional<double> factorised_;  ///< the σ with which K is factorised
   Vector soft_;                       ///< D

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pyrod/core/types.hpp>
-#include <pyrod/sparse/cholesky.hpp>
+#include <pyrod/sparse/ldlt.hpp>
 
 #include <Eigen/SparseCore>
 #include <unsupported/Eigen/IterativeSolvers>
@@ -23,8 +23,8 @@ struct traits<pyrod::SkewCorrected> : traits<SparseMatrix<double>> {};
 
 namespace pyrod {
 
-/// The operator I + H⁻¹ Z, with H factorised and Z skew. A dead couple on one edge gives Z rank 2,
-/// so that GMRES ends after three products; couples along the rod give a compact operator, and few
+/// The operator I + H⁻¹ Z, with H factorised and Z skew. A dead moment on one edge gives Z rank 2,
+/// so that GMRES ends after three products; moments along the rod give a compact operator, and few
 /// more.
 class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
  public:
@@ -37,7 +37,7 @@ class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
     IsRowMajor = false
   };
 
-  SkewCorrected(Cholesky& H, std::function<void(const Vector&, Vector&)> Z, Eigen::Index size)
+  SkewCorrected(Ldlt& H, std::function<void(const Vector&, Vector&)> Z, Eigen::Index size)
       : H_(&H), Z_(std::move(Z)), size_(size) {}
   Eigen::Index rows() const { return size_; }
   Eigen::Index cols() const { return size_; }
@@ -65,7 +65,7 @@ class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
   }
 
  private:
-  Cholesky* H_;
+  Ldlt* H_;
   std::function<void(const Vector&, Vector&)> Z_;
   Eigen::Index size_;
 };

@@ -5,7 +5,7 @@
 #include <pyrod/core/pool.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/solve/problem.hpp>
-#include <pyrod/sparse/cholesky.hpp>
+#include <pyrod/sparse/ldlt.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -23,7 +23,7 @@ concept Shaped = requires(const P p, const LinearisationOf<P> made) {
 template <class Storage, class State>
 struct Workspace {
   Storage here;
-  Cholesky factor;
+  Ldlt factor;
   Vector δ, trial;
   State from;
 

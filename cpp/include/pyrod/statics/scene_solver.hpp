@@ -117,7 +117,7 @@ class SceneSolve {
       }
       Vec3 sum = Vec3::Zero();
       for (const auto& F : found.load) sum += F;
-      out.reactions.push_back({-sum, -found.moment[0] - ready_.grid().loads(0).start_couple});
+      out.reactions.push_back({-sum, -found.moment[0] - ready_.grid().loads(0).start_moment});
     }
   }
 

@@ -7,7 +7,7 @@
 /// minimised is W_bt − Σ h (b·e3 + ½ b·S b), b = Rᵀn (docs/theory.md, "Unknowns").
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/frames.hpp>
@@ -35,13 +35,13 @@ class CantileverProblem {
   CantileverProblem(const Rod<Space>& rod, const Rotation& clamp, const Loads<Space>& loads)
       : clamp_(clamp), columns_(edge_columns(rod)), edges_(rod.edges()) {
     set_forces(loads.section_forces());
-    if (loads.has_couples()) {
-      couple_ = loads.couple;
-      couple_.back() += loads.end_couple;
+    if (loads.has_moments()) {
+      moment_ = loads.moment;
+      moment_.back() += loads.end_moment;
     }
   }
 
-  /// Replaces the section forces; the couples stay.
+  /// Replaces the section forces; the moments stay.
   void set_forces(const std::vector<Point<Space>>& n) {
     forces_.assign(edges_, [&](int j) { return n[j]; });
   }
@@ -52,11 +52,11 @@ class CantileverProblem {
     return {0, 0, Vector::Zero(spin * edges_), BlockTridiagonal<spin>(edges_)};
   }
 
-  void linearise(const State& q, Curvature curvature, Storage& out) const {
-    if (curvature == Curvature::exact)
-      linearise<Curvature::exact>(q, out);
+  void linearise(const State& q, Hessian kind, Storage& out) const {
+    if (kind == Hessian::exact)
+      linearise<Hessian::exact>(q, out);
     else
-      linearise<Curvature::convex>(q, out);
+      linearise<Hessian::convex>(q, out);
   }
 
   void move(const State& q, const Vector& δ, State& out) const {
@@ -64,45 +64,45 @@ class CantileverProblem {
     dispatch(MoveFrames<Space>{int(q.size()), q.data(), δ.data(), out.data()});
   }
 
-  /// A couple fixed in space has a potential in the plane only.
-  bool conservative() const { return spin == 1 || couple_.empty(); }
+  /// A moment fixed in space has a potential in the plane only.
+  bool conservative() const { return spin == 1 || moment_.empty(); }
 
-  /// −½ [Rᵀm] on every edge with a couple m: with it the tangent is that of the residual in the
+  /// −½ [Rᵀm] on every edge with a moment m: with it the tangent is that of the residual in the
   /// coordinates exp(φ), and Newton's method is quadratic.
   void multiply_skew(const State& q, const Vector& v, Vector& out) const {
     out.setZero(v.size());
-    for (std::size_t j = 0; j < couple_.size(); ++j)
+    for (std::size_t j = 0; j < moment_.size(); ++j)
       out.segment<spin>(spin * j) =
-          spin_skew(Spin<Space>(v.segment<spin>(spin * j))) * material_couple(q, j) / 2;
+          spin_skew(Spin<Space>(v.segment<spin>(spin * j))) * material_moment(q, j) / 2;
   }
 
  private:
-  template <Curvature kind>
+  template <Hessian kind>
   void linearise(const State& q, Storage& out) const {
     const Chain<Space> chain{edges_, 0, columns_, forces_, Point<Space>::Zero(), clamp_, q.data()};
     ChainRows<Space> rows{out.gradient.data(), out.hessian.chain()};
     dispatch(ChainLinearisation<Space, kind>(chain, rows));
     out.energy = rows.energy;
     out.magnitude = rows.magnitude;
-    if (!couple_.empty()) add_couples(q, out);
+    if (!moment_.empty()) add_moments(q, out);
   }
 
-  void add_couples(const State& q, Storage& out) const {
+  void add_moments(const State& q, Storage& out) const {
     for (int j = 0; j < edges_; ++j) {
-      out.gradient.template segment<spin>(spin * j) -= material_couple(q, j);
-      if constexpr (spin == 1) out.energy -= couple_[j][0] * q[j].radians;
+      out.gradient.template segment<spin>(spin * j) -= material_moment(q, j);
+      if constexpr (spin == 1) out.energy -= moment_[j][0] * q[j].radians;
     }
   }
 
-  Spin<Space> material_couple(const State& q, std::size_t j) const {
-    return rotate_spin(q[j].conjugate(), couple_[j]);
+  Spin<Space> material_moment(const State& q, std::size_t j) const {
+    return rotate_spin(q[j].conjugate(), moment_[j]);
   }
 
   Rotation clamp_;
   EdgeColumns<Space> columns_;
   Columns<dim> forces_;  ///< on every edge
   int edges_;
-  std::vector<Spin<Space>> couple_;  ///< empty if no couple acts
+  std::vector<Spin<Space>> moment_;  ///< empty if no moment acts
 };
 
 }  // namespace pyrod

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pyrod/core/columns.hpp>
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/pack.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/bend_twist.hpp>
@@ -65,7 +65,7 @@ struct ChainRows {
 /// Energy, gradient and Hessian of a chain, in one pass from its end to its start: the vertex at
 /// the end of an edge adds to the edge's row, so that a row is complete, and written once, when the
 /// vertex at its start is reached.
-template <class Space, Curvature kind>
+template <class Space, Hessian kind>
 class ChainLinearisation {
  public:
   ChainLinearisation(const Chain<Space>& chain, ChainRows<Space>& out) : chain_(chain), out_(out) {}

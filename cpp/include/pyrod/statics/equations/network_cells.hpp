@@ -3,7 +3,7 @@
 /// and the node or hinge that holds it.
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/bend_twist.hpp>
 #include <pyrod/rod/rod.hpp>
@@ -28,7 +28,7 @@ class NetworkCells {
   explicit NetworkCells(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {}
 
   /// The cells at an attached vertex: one from edge to edge, or two halves that meet in the node.
-  template <Curvature kind>
+  template <Hessian kind>
   void add(const State& x, const Attachment<Space>& a, Storage& out) const {
     const auto& rod = net_.rods[a.rod];
     const int n = rod.edges();
@@ -46,7 +46,7 @@ class NetworkCells {
 
  private:
   /// The cell of vertex j between two edges.
-  template <Curvature kind>
+  template <Hessian kind>
   void add_turn(const State& x, int before, int behind, const Rod<Space>& rod, int j, double Δs,
                 Storage& out) const {
     Rotation W = x.frames[before].conjugate() * x.frames[behind];
@@ -69,7 +69,7 @@ class NetworkCells {
   }
 
   /// Half a cell between an edge and the node it is fixed to. It turns by less than π.
-  template <Curvature kind>
+  template <Hessian kind>
   void add_half(const State& x, const Attachment<Space>& a, int j, bool before,
                 Storage& out) const {
     const auto& rod = net_.rods[a.rod];
@@ -97,8 +97,8 @@ class NetworkCells {
   }
 
   /// The held frame F moves as F ← F exp(α) exp(β) with α from the node and β = δ b from the hinge,
-  /// whose logarithm is α + β + ½ α × β: the product couples the two by what the cell exerts.
-  template <Curvature kind>
+  /// whose logarithm is α + β + ½ α × β: the product moments the two by what the cell exerts.
+  template <Hessian kind>
   void add_hinge(const Attachment<Space>& a, const Spin<Space>& g, const Mat<spin>& H,
                  const Mat<spin>& mixed, const Mat<spin>& turns, int q, int v, Storage& out) const {
     const int w = layout_.hinge_block(a.hinge_number);
@@ -108,7 +108,7 @@ class NetworkCells {
     out.hessian.add(q, w, Spin<Space>(mixed * b));
     if (v < 0) return;
     Spin<Space> coupling = Hb;
-    if constexpr (kind == Curvature::exact) coupling += spin_skew(b) * g / 2;
+    if constexpr (kind == Hessian::exact) coupling += spin_skew(b) * g / 2;
     out.hessian.add(w, v, Eigen::Matrix<double, 1, spin>(coupling.transpose() * turns));
   }
 

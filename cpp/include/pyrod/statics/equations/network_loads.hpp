@@ -24,13 +24,13 @@ class NetworkLoads {
 
   explicit NetworkLoads(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {
     for (const auto& loads : net_.loads) {
-      follows_ = follows_ || !loads.following_forces.empty() || !loads.following_couples.empty() ||
-                 !loads.following_end_couple.isZero(0);
-      couples_ = couples_ || loads.has_couples() || !loads.start_couple.isZero(0);
+      follows_ = follows_ || !loads.follower_forces.empty() || !loads.follower_moments.empty() ||
+                 !loads.follower_end_moment.isZero(0);
+      moments_ = moments_ || loads.has_moments() || !loads.start_moment.isZero(0);
     }
     for (const auto& node : net_.nodes) {
-      couples_ = couples_ || !node.moment.isZero(0);
-      follows_ = follows_ || !node.following_moment.isZero(0);
+      moments_ = moments_ || !node.moment.isZero(0);
+      follows_ = follows_ || !node.follower_moment.isZero(0);
     }
     load(1);
   }
@@ -43,10 +43,10 @@ class NetworkLoads {
       for (auto& F : rod) F *= part;
     tell(dead_, part);
     set_columns(dead_);
-    find_couples();
+    find_moments();
   }
 
-  bool conservative() const { return !follows_ && (spin == 1 || !couples_); }
+  bool conservative() const { return !follows_ && (spin == 1 || !moments_); }
 
   /// What acts, and what it makes of the section forces.
   struct Forces {
@@ -78,7 +78,7 @@ class NetworkLoads {
     if (!follows_) return dead_;
     changed.vertices = dead_.vertices;
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
-      for (const auto& f : net_.loads[rod].following_forces)
+      for (const auto& f : net_.loads[rod].follower_forces)
         changed.vertices[rod][f.vertex] +=
             part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
     tell(changed, part_);
@@ -101,15 +101,15 @@ class NetworkLoads {
     }
   }
 
-  using Couples = std::vector<std::pair<int, Spin<Space>>>;
+  using Moments = std::vector<std::pair<int, Spin<Space>>>;
 
   /// Spatial, on edges, with those of ends that turn freely.
-  const Couples& edge_couples() const { return edge_couples_; }
+  const Moments& edge_moments() const { return edge_moments_; }
   /// Material, on edges.
-  const Couples& following_couples() const { return following_couples_; }
+  const Moments& follower_moments() const { return follower_moments_; }
   /// Spatial, and material, on nodes.
   const std::vector<Spin<Space>>& node_moments() const { return node_moment_; }
-  const std::vector<Spin<Space>>& following_moments() const { return node_following_; }
+  const std::vector<Spin<Space>>& node_follower_moments() const { return node_follower_; }
   const VertexForces<Space>& dead_forces() const { return dead_.vertices; }
   bool follow() const { return follows_; }
   /// Of all loads, the part that acts.
@@ -120,14 +120,14 @@ class NetworkLoads {
     now.columns.assign(int(now.told.size()), [&](int e) { return now.told[e]; });
   }
 
-  void find_couples() {
-    edge_couples_.clear();
-    following_couples_.clear();
+  void find_moments() {
+    edge_moments_.clear();
+    follower_moments_.clear();
     node_moment_.clear();
-    node_following_.clear();
+    node_follower_.clear();
     for (const auto& node : net_.nodes) {
       node_moment_.push_back(part_ * node.moment);
-      node_following_.push_back(part_ * node.following_moment);
+      node_follower_.push_back(part_ * node.follower_moment);
     }
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
       const auto& loads = net_.loads[rod];
@@ -135,34 +135,34 @@ class NetworkLoads {
       const auto& on = layout_.attached(rod);
       const bool closed = net_.rods[rod].grid.closed();
       for (int j = 0; j < n; ++j) {
-        Spin<Space> m = loads.couple[j];
-        if (!closed && j == 0 && !on.front().rigid) m += loads.start_couple;
-        if (!closed && j == n - 1 && !on.back().rigid) m += loads.end_couple;
-        if (!m.isZero(0)) edge_couples_.emplace_back(layout_.edge(rod, j), part_ * m);
+        Spin<Space> m = loads.moment[j];
+        if (!closed && j == 0 && !on.front().rigid) m += loads.start_moment;
+        if (!closed && j == n - 1 && !on.back().rigid) m += loads.end_moment;
+        if (!m.isZero(0)) edge_moments_.emplace_back(layout_.edge(rod, j), part_ * m);
       }
-      for (const auto& c : loads.following_couples)
-        following_couples_.emplace_back(layout_.edge(rod, c.edge), part_ * c.couple);
-      if (!closed && !loads.following_end_couple.isZero(0)) find_following_end(rod, on.back());
+      for (const auto& c : loads.follower_moments)
+        follower_moments_.emplace_back(layout_.edge(rod, c.edge), part_ * c.moment);
+      if (!closed && !loads.follower_end_moment.isZero(0)) find_follower_end(rod, on.back());
       for (const auto& a : on) {
         if (!a.rigid || closed) continue;
-        if (a.vertex == 0) node_moment_[a.node] += part_ * loads.start_couple;
-        if (a.vertex == n) node_moment_[a.node] += part_ * loads.end_couple;
+        if (a.vertex == 0) node_moment_[a.node] += part_ * loads.start_moment;
+        if (a.vertex == n) node_moment_[a.node] += part_ * loads.end_moment;
       }
     }
   }
 
   /// A moment that follows the end: on the node that the end is fixed to, or on the last edge what
   /// the half cell hands on.
-  void find_following_end(int rod, const Attachment<Space>& end) {
+  void find_follower_end(int rod, const Attachment<Space>& end) {
     const auto& r = net_.rods[rod];
     const int n = r.edges();
-    const Spin<Space> M = part_ * net_.loads[rod].following_end_couple;
+    const Spin<Space> M = part_ * net_.loads[rod].follower_end_moment;
     if (end.rigid) {
-      node_following_[end.node] += rotate_spin(end.relative, M);
+      node_follower_[end.node] += rotate_spin(end.relative, M);
       return;
     }
     const Spin<Space> u = turn_under_moment_behind<Space>(M, r.bending[n], r.K0[n], r.grid.Δs(n));
-    following_couples_.emplace_back(
+    follower_moments_.emplace_back(
         layout_.edge(rod, n - 1),
         transmitted_moment<Space>(u, r.bending[n], r.K0[n], r.grid.Δs(n)));
   }
@@ -170,10 +170,10 @@ class NetworkLoads {
   const Layout<Space>& layout_;
   const Network<Space>& net_;
   Acting dead_;
-  Couples edge_couples_, following_couples_;
-  std::vector<Spin<Space>> node_moment_, node_following_;
+  Moments edge_moments_, follower_moments_;
+  std::vector<Spin<Space>> node_moment_, node_follower_;
   double part_ = 1;
-  bool follows_ = false, couples_ = false;
+  bool follows_ = false, moments_ = false;
 };
 
 }  // namespace pyrod

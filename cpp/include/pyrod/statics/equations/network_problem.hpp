@@ -5,7 +5,7 @@
 /// the frames and positions of nodes where they are needed (docs/theory.md, "Networks").
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/frames.hpp>
 #include <pyrod/rotation/space.hpp>
@@ -57,11 +57,11 @@ class NetworkProblem {
 
   bool fits(const Storage& made) const { return made.hessian.pattern() == layout_.pattern(); }
 
-  void linearise(const State& x, Curvature curvature, Storage& out) const {
-    if (curvature == Curvature::exact)
-      linearise<Curvature::exact>(x, out);
+  void linearise(const State& x, Hessian kind, Storage& out) const {
+    if (kind == Hessian::exact)
+      linearise<Hessian::exact>(x, out);
     else
-      linearise<Curvature::convex>(x, out);
+      linearise<Hessian::convex>(x, out);
   }
 
   void move(const State& x, const Vector& δ, State& out) const {
@@ -114,7 +114,7 @@ class NetworkProblem {
  private:
   using Acting = typename NetworkLoads<Space>::Acting;
 
-  template <Curvature kind>
+  template <Hessian kind>
   void linearise(const State& x, Storage& out) const {
     out.energy = out.magnitude = 0;
     Acting changed;
@@ -128,13 +128,13 @@ class NetworkProblem {
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       for (const auto& a : layout_.attached(rod)) cells.template add<kind>(x, a, out);
     for (int v = 0; v < int(net_.nodes.size()); ++v) add_node<kind>(x, now, v, out);
-    for (const auto& [edge, m] : loads_.edge_couples())
-      add_couple(x.frames[edge], m, layout_.frame_row(edge), out);
-    for (const auto& [edge, m] : loads_.following_couples())
+    for (const auto& [edge, m] : loads_.edge_moments())
+      add_moment(x.frames[edge], m, layout_.frame_row(edge), out);
+    for (const auto& [edge, m] : loads_.follower_moments())
       out.gradient.template segment<spin>(layout_.frame_row(edge)) -= m;
   }
 
-  template <Curvature kind>
+  template <Hessian kind>
   void add_node(const State& x, const Acting& now, int v, Storage& out) const {
     const auto& node = net_.nodes[v];
     if (const int b = layout_.place_block(v); b >= 0) add_place(x, now, v, b, out);
@@ -151,7 +151,7 @@ class NetworkProblem {
       out.hessian.add_diagonal(b, Mat<spin>(T.transpose() * jet.bb * T));
     }
     const Spin<Space> m = rotate_spin(x.node_frames[v].conjugate(), loads_.node_moments()[v]) +
-                          loads_.following_moments()[v];
+                          loads_.node_follower_moments()[v];
     add_to_rows(layout_, b, Spin<Space>(-T.transpose() * m), out);
     if constexpr (spin == 1) out.energy -= loads_.node_moments()[v][0] * x.node_frames[v].radians;
   }
@@ -180,7 +180,7 @@ class NetworkProblem {
     out.hessian.add_diagonal(b, Mat<dim>(node.spring * F.transpose() * F));
   }
 
-  void add_couple(const Rotation& q, const Spin<Space>& m, int first, Storage& out) const {
+  void add_moment(const Rotation& q, const Spin<Space>& m, int first, Storage& out) const {
     out.gradient.template segment<spin>(first) -= rotate_spin(q.conjugate(), m);
     if constexpr (spin == 1) out.energy -= m[0] * q.radians;
   }

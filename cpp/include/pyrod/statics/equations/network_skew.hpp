@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file What is not symmetric in the tangent of a network: couples without a potential, and forces
+/// \file What is not symmetric in the tangent of a network: moments without a potential, and forces
 /// that follow frames.
 #pragma once
 
@@ -24,45 +24,45 @@ class NetworkSkew {
               const EdgeColumns<Space>& columns)
       : layout_(layout), net_(layout.network()), loads_(loads), columns_(columns) {}
 
-  /// w = (tangent − its symmetric part) v: couples that do not follow a potential, and the change
+  /// w = (tangent − its symmetric part) v: moments that do not follow a potential, and the change
   /// of forces that follow frames.
   void multiply(const State& x, const Vector& v, Vector& out) const {
     out.setZero(v.size());
-    for (const auto& [edge, m] : loads_.edge_couples())
-      add_couple_skew(x.frames[edge], m, layout_.frame_row(edge), v, out);
+    for (const auto& [edge, m] : loads_.edge_moments())
+      add_moment_skew(x.frames[edge], m, layout_.frame_row(edge), v, out);
     for (int node = 0; node < int(net_.nodes.size()); ++node)
       if (const int b = layout_.turn_block(node); b >= 0 && spin == 3) {
         const auto& T = net_.nodes[node].turns;
         const Spin<Space> φ = T * v.segment(layout_.row(b), T.cols());
         const Spin<Space> m =
             rotate_spin(x.node_frames[node].conjugate(), loads_.node_moments()[node]) -
-            loads_.following_moments()[node];
+            loads_.node_follower_moments()[node];
         out.segment(layout_.row(b), T.cols()) += T.transpose() * (spin_skew(φ) * m / 2);
       }
-    if (loads_.follow()) add_following_skew(x, v, out);
+    if (loads_.follow()) add_follower_skew(x, v, out);
   }
 
  private:
   /// −½ [Rᵀm]: with it the tangent is that of the residual in the coordinates exp(φ).
-  void add_couple_skew(const Rotation& q, const Spin<Space>& m, int first, const Vector& v,
+  void add_moment_skew(const Rotation& q, const Spin<Space>& m, int first, const Vector& v,
                        Vector& out) const {
     out.segment<spin>(first) +=
         spin_skew(Spin<Space>(v.segment<spin>(first))) * rotate_spin(q.conjugate(), m) / 2;
   }
 
-  void add_following_skew(const State& x, const Vector& v, Vector& out) const {
+  void add_follower_skew(const State& x, const Vector& v, Vector& out) const {
     typename NetworkLoads<Space>::Acting change;
     change.vertices = loads_.dead_forces();
     for (auto& rod : change.vertices) std::fill(rod.begin(), rod.end(), Point<Space>::Zero());
     const auto turn_of = [&](int e) { return Spin<Space>(v.segment<spin>(layout_.frame_row(e))); };
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
-      for (const auto& f : net_.loads[rod].following_forces) {
+      for (const auto& f : net_.loads[rod].follower_forces) {
         const int e = layout_.edge(rod, f.edge);
         change.vertices[rod][f.vertex] -=
             loads_.part() * rotate(x.frames[e], Point<Space>(skew(f.force) * turn_of(e)));
       }
     }
-    for (const auto& [edge, m] : loads_.following_couples())  // +½ [M]
+    for (const auto& [edge, m] : loads_.follower_moments())  // +½ [M]
       out.segment<spin>(layout_.frame_row(edge)) -= spin_skew(turn_of(edge)) * m / 2;
     loads_.tell(change, 0);
     const auto &dn = change.told, n = loads_.forces(x).sections;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <pyrod/core/columns.hpp>
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/solve/problem.hpp>
@@ -37,7 +37,7 @@ class NetworkSpans {
       : layout_(layout), columns_(columns), told_(told) {}
 
   /// Writes the rows of span p.
-  template <Curvature kind>
+  template <Hessian kind>
   void set(const State& x, int p, Storage& out) const {
     const auto& span = layout_.spans()[p];
     const int e = layout_.first_edge(p), row = layout_.frame_row(e), edges = span.last - span.first;

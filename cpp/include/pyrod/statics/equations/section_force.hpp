@@ -2,7 +2,7 @@
 /// \file What an edge adds to the statics when its section force is known (docs/theory.md, §3).
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
 
@@ -50,7 +50,7 @@ Mat<1, 1, Real> force_stiffness(const Vec<2, Real>& b, const Vec<2, Real>& Γ,
 }
 
 /// `S`: the diagonal of the compliance.
-template <Curvature kind, class Space, class Real>
+template <Hessian kind, class Space, class Real>
 EdgeJet<Space, Real> edge_term(const typename Space::template RotationOf<Real>& frame,
                                const Point<Space, Real>& n, const Point<Space, Real>& S,
                                const Real& h) {
@@ -60,7 +60,7 @@ EdgeJet<Space, Real> edge_term(const typename Space::template RotationOf<Real>& 
   const Spin<Space, Real> moment = cross(b, Γ);
 
   EdgeJet<Space, Real> jet{-h * b.dot(e3 + strain / 2), h * moment, Block::Zero()};
-  if constexpr (kind == Curvature::convex) {
+  if constexpr (kind == Hessian::convex) {
     jet.hessian.diagonal().setConstant(h * secant_stiffness<Space, Real>(b, moment));
     if constexpr (Space::spin == 3) jet.hessian(2, 2) = 0;
   } else {

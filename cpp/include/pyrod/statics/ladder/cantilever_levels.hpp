@@ -77,7 +77,7 @@ class CantileverLevels {
   std::shared_ptr<const Scene> at(int level) {
     if (level < int(kept_.size())) return kept_[level];
     const auto [rod, loads] = source_(level);
-    require_count(Eigen::Index(loads.couple.size()), rod.edges(), "loads", "one per edge");
+    require_count(Eigen::Index(loads.moment.size()), rod.edges(), "loads", "one per edge");
     auto made = std::make_shared<const Scene>(restricted<Space>(rod), Point<Space>::Zero(),
                                               Space::Rotation::Identity(),
                                               restricted<Space>(loads, clamp_.frame));

@@ -73,7 +73,7 @@ class NetworkLevels {
     require_level(Eigen::Index(network.rods.size()), Eigen::Index(edges_.size()), 0, "rods");
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       require_level(network.rods[i].edges(), edges_[i], level, "edges");
-      require_level(Eigen::Index(network.loads[i].couple.size()), edges_[i], level, "loaded edges");
+      require_level(Eigen::Index(network.loads[i].moment.size()), edges_[i], level, "loaded edges");
     }
     require_level(Eigen::Index(network.attachments.size()), Eigen::Index(attached_.size()), 0,
                   "attachments");

@@ -37,7 +37,7 @@ class CantileverShape {
     out.curve.frames = std::move(frames);
     const auto force = loads_.section_forces();
     const Rotation& last = out.curve.frames.back();
-    out.curve.end_frame = moved(last, turn_under(last, loads_.end_couple));
+    out.curve.end_frame = moved(last, turn_under(last, loads_.end_moment));
     Extremes<Space> extremes(rod_);
     weigh(out, extremes);
     place(out, r0, force, extremes);
@@ -66,7 +66,7 @@ class CantileverShape {
   /// Positions from the section forces, r_j = r_{j-1} + h R Γ, and what edges say.
   void place(RodSolution<Space>& out, Point<Space> r, const std::vector<Point<Space>>& force,
              Extremes<Space>& extremes) const {
-    out.load_moment = loads_.total_couple();
+    out.load_moment = loads_.total_moment();
     out.curve.positions.push_back(r);
     if (stride_ > 1) out.load_moment += cross(r, loads_.force[0]);
     Point<Space> Γ_before = axis<Space>(), n_before = Point<Space>::Zero();

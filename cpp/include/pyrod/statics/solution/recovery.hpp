@@ -87,30 +87,29 @@ class Recovery {
       curve.start_frame = first * principal(held(on.front()).conjugate() * first).conjugate();
     else
       curve.start_frame =
-          moved(first, turn_under_moment<Space>(rotate_spin(first.conjugate(), loads.start_couple),
+          moved(first, turn_under_moment<Space>(rotate_spin(first.conjugate(), loads.start_moment),
                                                 r.bending[0], Spin<Space>(-r.K0[0]), r.grid.Δs(0)));
     if (on.back().rigid)
       curve.end_frame = last * principal(last.conjugate() * held(on.back()));
-    else if (!loads.following_end_couple.isZero(0))
+    else if (!loads.follower_end_moment.isZero(0))
       curve.end_frame =
-          moved(last, turn_under_moment_behind<Space>(loads.following_end_couple, r.bending[n],
+          moved(last, turn_under_moment_behind<Space>(loads.follower_end_moment, r.bending[n],
                                                       r.K0[n], r.grid.Δs(n)));
     else
       curve.end_frame =
-          moved(last, turn_under_moment<Space>(rotate_spin(last.conjugate(), loads.end_couple),
+          moved(last, turn_under_moment<Space>(rotate_spin(last.conjugate(), loads.end_moment),
                                                r.bending[n], r.K0[n], r.grid.Δs(n)));
   }
 
   Spin<Space> load_moment(int rod, const CosseratCurve<Space>& curve) const {
     const auto& loads = net_.loads[rod];
     Spin<Space> sum =
-        loads.total_couple() + rotate_spin(curve.end_frame, loads.following_end_couple);
-    for (const auto& c : loads.following_couples)
-      sum += rotate_spin(curve.frames[c.edge], c.couple);
+        loads.total_moment() + rotate_spin(curve.end_frame, loads.follower_end_moment);
+    for (const auto& c : loads.follower_moments) sum += rotate_spin(curve.frames[c.edge], c.moment);
     for (const auto& a : layout_.attached(rod))
-      for (const auto& c : loads.vertex_couples)
+      for (const auto& c : loads.vertex_moments)
         if (c.on_node && c.vertex == a.vertex)
-          sum += c.follows ? rotate_spin(held(a), c.couple) : c.couple;
+          sum += c.follows ? rotate_spin(held(a), c.moment) : c.moment;
     return sum;
   }
 
@@ -213,8 +212,8 @@ class Recovery {
           sum += now_.sections[layout_.edge(span.rod, span.first)];
       }
       out_.nodes[v].reaction_force = -sum;
-      out_.nodes[v].reaction_moment = -(
-          net_.nodes[v].moment + rotate_spin(out_.nodes[v].frame, net_.nodes[v].following_moment));
+      out_.nodes[v].reaction_moment =
+          -(net_.nodes[v].moment + rotate_spin(out_.nodes[v].frame, net_.nodes[v].follower_moment));
     }
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       for (const auto& a : layout_.attached(rod))
@@ -228,11 +227,11 @@ class Recovery {
     const bool closed = net_.rods[rod].grid.closed();
     if (!closed && a.vertex == n) {
       const auto& loads = net_.loads[rod];
-      m += moment[n] - loads.end_couple - rotate_spin(held(a), loads.following_end_couple);
+      m += moment[n] - loads.end_moment - rotate_spin(held(a), loads.follower_end_moment);
     } else {
       m -= moment[a.vertex];
       if (!closed && a.vertex == 0)
-        m -= net_.loads[rod].start_couple;
+        m -= net_.loads[rod].start_moment;
       else
         m += before_[{rod, a.vertex}];
     }

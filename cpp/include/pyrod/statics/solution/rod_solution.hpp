@@ -42,7 +42,7 @@ struct RodSolution {
   std::vector<Point<Space>> vertex_force;               ///< n at the vertices
   std::vector<Before<Space>> before;                    ///< inner vertices, in their order
   std::vector<Point<Space>> load;                       ///< what acts on the vertices
-  Spin<Space> load_moment = Spin<Space>::Zero();        ///< sum of the couples that act on the rod
+  Spin<Space> load_moment = Spin<Space>::Zero();        ///< sum of the moments that act on the rod
   double bend_twist_energy = 0, stretch_shear_energy = 0;
   Largest largest;
 };

@@ -65,7 +65,7 @@ class Vertices {
     std::vector<int> out = loads_.pushed;
     for (const auto& held : held_) out.push_back(held.vertex);
     for (const auto& jump : rod_.jumps) out.push_back(jump.vertex);
-    for (const auto& couple : loads_.vertex_couples) out.push_back(couple.vertex);
+    for (const auto& moment : loads_.vertex_moments) out.push_back(moment.vertex);
     std::ranges::sort(out);
     out.erase(std::ranges::unique(out).begin(), out.end());
     return out;
@@ -77,7 +77,7 @@ class Vertices {
     return nullptr;
   }
 
-  /// The moments beside a couple are those of the cell, less what of it the edge there feels.
+  /// The moments beside a moment are those of the cell, less what of it the edge there feels.
   void see_sides(RodSolution<Space>& s, const std::vector<Point<Space>>& force, int j) const {
     const std::size_t J = std::size_t(j / stride_);
     const HeldVertex<Space>* held = holding(j);
@@ -86,21 +86,21 @@ class Vertices {
                       held ? held->moment_before : s.moment[J], false};
     s.vertex_force[J] = behind(s, force, j);
     const bool jumps = std::ranges::binary_search(rod_.jumps, j, {}, &Jump<Space>::vertex);
-    bool couples = false;
-    for (const auto& c : loads_.vertex_couples) {
+    bool moments = false;
+    for (const auto& c : loads_.vertex_moments) {
       if (c.vertex != j || c.on_node) continue;
       out.moment += c.follows ? rotate_spin(s.curve.frames[j - 1], c.before) : c.before;
       s.moment[J] -= c.follows ? rotate_spin(s.curve.frames[j], c.behind) : c.behind;
-      couples = true;
+      moments = true;
     }
-    if (held || jumps || couples) {
+    if (held || jumps || moments) {
       auto& q = s.vertex_frames[J];
       q = held ? q * principal(q.conjugate() * *held->frame)
                : frame_between(s.curve, sides, out.moment, s.moment[J]);
       const Spin<Space> M = rotate_spin(q.conjugate(), s.moment[J]);
       out.K = sides.K_before(rotate_spin(q.conjugate(), out.moment));
       out.halves = !held;
-      if (couples && !held)
+      if (moments && !held)
         s.bend_twist_energy += energy(sides, rotate_spin(q.conjugate(), out.moment), M) -
                                energy(sides, s.material_moment[J], s.material_moment[J]);
       s.material_moment[J] = M;
@@ -109,7 +109,7 @@ class Vertices {
     s.before.push_back(out);
   }
 
-  /// Of the halves of a cell under their moments: those beside a couple carry more than their mean.
+  /// Of the halves of a cell under their moments: those beside a moment carry more than their mean.
   double energy(const Jump<Space>& sides, const Spin<Space>& before,
                 const Spin<Space>& behind) const {
     const int j = sides.vertex;

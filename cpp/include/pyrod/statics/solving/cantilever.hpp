@@ -2,7 +2,7 @@
 /// \file The scene of one rod clamped at its start: where solver and rod meet.
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/loads.hpp>
@@ -59,8 +59,8 @@ class Cantilever {
     int load_steps = 0;
   };
 
-  /// In one call from the start that `start` gives. Where couples have no potential and that fails,
-  /// the forces are brought on step by step, from the shape that the couples alone give.
+  /// In one call from the start that `start` gives. Where moments have no potential and that fails,
+  /// the forces are brought on step by step, from the shape that the moments alone give.
   Found find(const Options& options = {}, const Trace& trace = {}) const {
     Problem problem(rod_, q0_, loads_);
     auto [frames, first] = start();
@@ -78,7 +78,7 @@ class Cantilever {
   Found find(Frames frames, const Options& options = {}, const Trace& trace = {}) const {
     require_frames(frames, rod_.edges(), "start");
     const Problem problem(rod_, q0_, loads_);
-    return {Newton<Problem>(problem, options, trace).solve(std::move(frames), Curvature::exact)};
+    return {Newton<Problem>(problem, options, trace).solve(std::move(frames), Hessian::exact)};
   }
 
   /// All that follows, at every `stride`-th vertex; see `CantileverShape`.
@@ -104,16 +104,16 @@ class Cantilever {
   const Rod<Space>& rod() const { return rod_; }
   const Loads<Space>& loads() const { return loads_; }
 
-  /// The shape at rest; where the couples outweigh the forces, the shape that the couples alone
+  /// The shape at rest; where the moments outweigh the forces, the shape that the moments alone
   /// give, which is a solution already if there are no forces. With it, the Hessian to begin with.
-  std::pair<Frames, Curvature> start() const {
-    if (!loads_.has_couples()) return {rod_.frames_at_rest(q0_), Curvature::convex};
-    double couples = 0, levers = 0;
-    for (const auto& m : loads_.couples_behind()) couples = std::max(couples, m.norm());
+  std::pair<Frames, Hessian> start() const {
+    if (!loads_.has_moments()) return {rod_.frames_at_rest(q0_), Hessian::convex};
+    double moments = 0, levers = 0;
+    for (const auto& m : loads_.moments_behind()) moments = std::max(moments, m.norm());
     for (const auto& n : loads_.section_forces())
       levers = std::max(levers, n.norm() * rod_.grid.length());
-    if (couples <= levers) return {rod_.frames_at_rest(q0_), Curvature::convex};
-    return {under_couples(), Curvature::exact};
+    if (moments <= levers) return {rod_.frames_at_rest(q0_), Hessian::convex};
+    return {under_moments(), Hessian::exact};
   }
 
  private:
@@ -129,14 +129,14 @@ class Cantilever {
     Options of_a_step = options;
     of_a_step.max_iterations = std::min(options.max_iterations, 12);
     Newton<Problem> newton(problem, of_a_step, trace);
-    auto path = follow(newton, part_of_forces, under_couples());
+    auto path = follow(newton, part_of_forces, under_moments());
     path.result.record.insert(path.result.record.begin(), before.begin(), before.end());
     return {std::move(path.result), path.steps};
   }
 
-  /// The shape that the couples alone give the rod, marched along it.
-  Frames under_couples() const {
-    const auto m = loads_.couples_behind();
+  /// The shape that the moments alone give the rod, marched along it.
+  Frames under_moments() const {
+    const auto m = loads_.moments_behind();
     Frames frames;
     frames.reserve(m.size());
     for (int j = 0; j < rod_.edges(); ++j) {

@@ -123,7 +123,7 @@ Network<Space> restricted(const Network<Spatial>& net, const Placement<Spatial>&
     v.turns = detail::axes_in_space<Space>(node.turns);
     v.force = restrict_point<Space>(unrotate(turn, node.force));
     v.moment = restrict_spin<Space>(unrotate(turn, node.moment));
-    v.following_moment = about_normal<Space>(node.following_moment);
+    v.follower_moment = about_normal<Space>(node.follower_moment);
     v.spring = node.spring;
     v.torsion_spring = node.torsion_spring;
     out.nodes.push_back(v);

@@ -2,7 +2,7 @@
 /// \file The equilibrium of a network: from few edges to all of them, and down from saddles.
 #pragma once
 
-#include <pyrod/core/curvature.hpp>
+#include <pyrod/core/hessian.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
 #include <pyrod/solve/homotopy.hpp>
@@ -78,17 +78,17 @@ class NetworkSolver {
     at_first(first, coarser.empty() ? start : Start<Space>(first.layout).state());
     for (std::size_t i = 0; i < coarser.size() && converged(); ++i) {
       Posed& to = i + 1 < coarser.size() ? *coarser[i + 1] : *fine_;
-      at_level(to, refined(coarser[i]->layout, out_.state, to.layout), Curvature::exact, false);
+      at_level(to, refined(coarser[i]->layout, out_.state, to.layout), Hessian::exact, false);
     }
     if (!converged() && !coarser.empty() && out_.status != Status::interrupted &&
         out_.status != Status::taut)
-      at_level(*fine_, start, Curvature::convex, true);
+      at_level(*fine_, start, Hessian::convex, true);
     return finished();
   }
 
   /// From a state that is trusted to be near.
   NetworkResult<Space> solve(NetworkState<Space> start) {
-    at_level(*fine_, std::move(start), Curvature::exact, false, true);
+    at_level(*fine_, std::move(start), Hessian::exact, false, true);
     return finished();
   }
 
@@ -132,17 +132,17 @@ class NetworkSolver {
   /// leads to no stable shape, another is tried before all that comes last.
   void at_first(Posed& posed, const NetworkState<Space>& start) {
     const bool choice = Start<Space>(posed.layout).has_choice();
-    at_level(posed, start, Curvature::convex, !choice);
+    at_level(posed, start, Hessian::convex, !choice);
     if (!choice || settled()) return;
     NetworkResult<Space> before = out_;
-    at_level(posed, Start<Space>(posed.layout, true).state(), Curvature::convex, false);
+    at_level(posed, Start<Space>(posed.layout, true).state(), Hessian::convex, false);
     if (settled()) return;
     if (before.status == Status::converged && (!converged() || before.index <= out_.index)) {
       before.record = std::move(out_.record);
       out_ = std::move(before);
     }
     if (!converged() && out_.status != Status::interrupted)
-      at_level(posed, start, Curvature::convex, true);
+      at_level(posed, start, Hessian::convex, true);
   }
 
   /// Whether there is nothing better to look for.
@@ -152,7 +152,7 @@ class NetworkSolver {
   }
 
   /// Solves on one grid; the result and its record go to `out_`.
-  void at_level(Posed& posed, NetworkState<Space> start, Curvature first, bool resort,
+  void at_level(Posed& posed, NetworkState<Space> start, Hessian first, bool resort,
                 bool estimate = false) {
     auto& [layout, problem] = posed;
     SaddleNewton<Problem> newton(problem, options_, trace_, more_.stable);
@@ -162,7 +162,7 @@ class NetworkSolver {
     else if (resort && !converged() && out_.status != Status::interrupted)
       bring_on_loads(problem, newton, start);
     if (!estimate && converged() && untie(layout, out_.state)) {
-      keep(newton.solve(out_.state, Curvature::exact));
+      keep(newton.solve(out_.state, Hessian::exact));
       if (converged() && untie(layout, out_.state)) out_.status = Status::too_coarse;
     }
     for (int i = 0; i < 6 && more_.stable && converged() && out_.index > 0; ++i)
@@ -247,7 +247,7 @@ class NetworkSolver {
     for (const double step : {0.3, -0.3, 1., -1.}) {
       NetworkState<Space> away;
       problem.move(out_.state, step * mode.shape, away);
-      auto result = newton.solve(std::move(away), Curvature::exact);
+      auto result = newton.solve(std::move(away), Hessian::exact);
       if (result.converged() &&
           (result.index < before || result.energy < energy - 1e-6 * problem.unit_energy())) {
         ++out_.descents;

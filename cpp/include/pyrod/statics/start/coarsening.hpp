@@ -102,21 +102,21 @@ Loads<Space> merged(const Loads<Space>& loads, const Grid& grid, const std::vect
   for (int j = 0; j <= grid.edges(); ++j)
     if (!loads.force[j].isZero(0))
       share(j, [&](int J, double part) { out.force[J] += part * loads.force[j]; });
-  for (int j = 0; j < grid.edges(); ++j) out.couple[edge_of(kept, j)] += loads.couple[j];
-  for (const auto& f : loads.following_forces)
+  for (int j = 0; j < grid.edges(); ++j) out.moment[edge_of(kept, j)] += loads.moment[j];
+  for (const auto& f : loads.follower_forces)
     share(f.vertex, [&](int J, double part) {
-      if (part > 0) out.following_forces.push_back({edge_of(kept, f.edge), J, part * f.force});
+      if (part > 0) out.follower_forces.push_back({edge_of(kept, f.edge), J, part * f.force});
     });
-  for (const auto& c : loads.following_couples)
-    out.following_couples.push_back({edge_of(kept, c.edge), c.couple});
-  for (auto c : loads.vertex_couples)  // its parts are on the edges beside it already
+  for (const auto& c : loads.follower_moments)
+    out.follower_moments.push_back({edge_of(kept, c.edge), c.moment});
+  for (auto c : loads.vertex_moments)  // its parts are on the edges beside it already
     if (const int J = edge_of(kept, c.vertex); J > 0 && J < m && kept[J] == c.vertex) {
       c.vertex = J;
-      out.vertex_couples.push_back(c);
+      out.vertex_moments.push_back(c);
     }
-  out.start_couple = loads.start_couple;
-  out.end_couple = loads.end_couple;
-  out.following_end_couple = loads.following_end_couple;
+  out.start_moment = loads.start_moment;
+  out.end_moment = loads.end_moment;
+  out.follower_end_moment = loads.follower_end_moment;
   return out;
 }
 

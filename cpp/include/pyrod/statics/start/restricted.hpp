@@ -60,12 +60,12 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   loads.check();
   double scale = 0;
   for (const auto& F : loads.force) scale = std::max(scale, F.norm());
-  double spin_scale = std::max(loads.end_couple.norm(), loads.start_couple.norm());
-  for (const auto& m : loads.couple) spin_scale = std::max(spin_scale, m.norm());
-  for (const auto& c : loads.vertex_couples)  // which may cancel on the edges
-    if (!c.follows) spin_scale = std::max(spin_scale, c.couple.norm());
+  double spin_scale = std::max(loads.end_moment.norm(), loads.start_moment.norm());
+  for (const auto& m : loads.moment) spin_scale = std::max(spin_scale, m.norm());
+  for (const auto& c : loads.vertex_moments)  // which may cancel on the edges
+    if (!c.follows) spin_scale = std::max(spin_scale, c.moment.norm());
 
-  Loads<Space> out(int(loads.couple.size()));
+  Loads<Space> out(int(loads.moment.size()));
   const auto point = [&](const Vec3& F) {
     const Vec3 local = unrotate(frame, F);
     const Point<Space> kept = restrict_point<Space>(local);
@@ -81,24 +81,24 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
     return kept;
   };
   for (const auto& f : loads.shares) out.shares.push_back(point(f));
-  for (const auto& f : loads.following_shares) out.following_shares.push_back(in_plane<Space>(f));
+  for (const auto& f : loads.follower_shares) out.follower_shares.push_back(in_plane<Space>(f));
   for (std::size_t j = 0; j < loads.force.size(); ++j) out.force[j] = point(loads.force[j]);
-  for (std::size_t j = 0; j < loads.couple.size(); ++j) out.couple[j] = spin(loads.couple[j]);
-  out.end_couple = spin(loads.end_couple);
-  out.start_couple = spin(loads.start_couple);
-  for (const auto& f : loads.following_forces)
-    out.following_forces.push_back({f.edge, f.vertex, in_plane<Space>(f.force)});
-  for (const auto& c : loads.following_couples)
-    out.following_couples.push_back({c.edge, about_normal<Space>(c.couple)});
-  out.following_end_couple = about_normal<Space>(loads.following_end_couple);
+  for (std::size_t j = 0; j < loads.moment.size(); ++j) out.moment[j] = spin(loads.moment[j]);
+  out.end_moment = spin(loads.end_moment);
+  out.start_moment = spin(loads.start_moment);
+  for (const auto& f : loads.follower_forces)
+    out.follower_forces.push_back({f.edge, f.vertex, in_plane<Space>(f.force)});
+  for (const auto& c : loads.follower_moments)
+    out.follower_moments.push_back({c.edge, about_normal<Space>(c.moment)});
+  out.follower_end_moment = about_normal<Space>(loads.follower_end_moment);
   out.pushed = loads.pushed;
-  for (const auto& c : loads.vertex_couples)
-    out.vertex_couples.push_back(
+  for (const auto& c : loads.vertex_moments)
+    out.vertex_moments.push_back(
         c.follows
-            ? VertexCouple<Space>{c.vertex, about_normal<Space>(c.couple),
+            ? VertexMoment<Space>{c.vertex, about_normal<Space>(c.moment),
                                   about_normal<Space>(c.before), about_normal<Space>(c.behind),
                                   true}
-            : VertexCouple<Space>{c.vertex, spin(c.couple), spin(c.before), spin(c.behind), false});
+            : VertexMoment<Space>{c.vertex, spin(c.moment), spin(c.before), spin(c.behind), false});
   return out;
 }
 

@@ -41,7 +41,7 @@ struct Spans {
     network.check_places();
     add_free_ends();
     drop_idle_frames();
-    put_couples_on_nodes();
+    put_moments_on_nodes();
     cut_into_spans();
     check_reach();
   }
@@ -96,9 +96,9 @@ struct Spans {
           continue;
         const int n = network.rods[a.rod].edges();
         const bool end = !closed(a.rod) && (a.vertex == 0 || a.vertex == n);
-        if ((!end && !node.moment.isZero(0)) || !node.following_moment.isZero(0)) continue;
+        if ((!end && !node.moment.isZero(0)) || !node.follower_moment.isZero(0)) continue;
         if (end)
-          (a.vertex == 0 ? network.loads[a.rod].start_couple : network.loads[a.rod].end_couple) +=
+          (a.vertex == 0 ? network.loads[a.rod].start_moment : network.loads[a.rod].end_moment) +=
               node.moment;
         node.moment.setZero();
         a.rigid = false;
@@ -110,13 +110,13 @@ struct Spans {
 
   /// A moment at a vertex that is fixed to the frame of a node acts on that: the halves of the cell
   /// beside it end there.
-  void put_couples_on_nodes() {
+  void put_moments_on_nodes() {
     for (const auto& on : attached)
       for (const auto& a : on) {
         if (!a.rigid || a.hinge) continue;
-        const auto [dead, following] = network.loads[a.rod].take_couples(a.vertex);
+        const auto [dead, following] = network.loads[a.rod].take_moments(a.vertex);
         network.nodes[a.node].moment += dead;
-        network.nodes[a.node].following_moment += rotate_spin(a.relative, following);
+        network.nodes[a.node].follower_moment += rotate_spin(a.relative, following);
       }
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// \file CHOLMOD's simplicial LDLᵀ, owned: analysed once, factorised often, with the inertia.
 ///
-/// Only functions of CHOLMOD's Core/Utility and Cholesky modules are called (LGPL). CHOLMOD reports
+/// Only functions of CHOLMOD's Core/Utility and Ldlt modules are called (LGPL). CHOLMOD reports
 /// trouble sparingly: an indefinite matrix is factorised without a word, and so is one with NaN. So
 /// every outcome is looked at here.
 #pragma once
@@ -24,11 +24,11 @@ struct Inertia {
   int negative = 0, broken = 0;
 };
 
-class Cholesky {
+class Ldlt {
  public:
   /// Symbolic factorisation in the given numbering. Keeps a pointer to `A`, whose pattern must not
   /// change and whose values are read by `factorise`.
-  explicit Cholesky(const SymmetricMatrix& A) : matrix_(&A) {
+  explicit Ldlt(const SymmetricMatrix& A) : matrix_(&A) {
     cholmod_start(&common_);
     common_.nmethods = 1;
     common_.method[0].ordering = CHOLMOD_NATURAL;
@@ -44,9 +44,9 @@ class Cholesky {
       throw std::bad_alloc();
     }
   }
-  Cholesky(const Cholesky&) = delete;
-  Cholesky& operator=(const Cholesky&) = delete;
-  ~Cholesky() {
+  Ldlt(const Ldlt&) = delete;
+  Ldlt& operator=(const Ldlt&) = delete;
+  ~Ldlt() {
     cholmod_free_dense(&work_y_, &common_);
     cholmod_free_dense(&work_e_, &common_);
     cholmod_free_factor(&factor_, &common_);

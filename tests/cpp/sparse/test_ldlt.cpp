@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/sparse/cholesky.hpp>
+#include <pyrod/sparse/ldlt.hpp>
 
 #include "support/failing_memory.hpp"
 #include "support/matrices.hpp"
@@ -12,7 +12,7 @@ TEST_CASE("solve, against a dense solve") {
   Random random(1);
   for (const int blocks : {1, 2, 40}) {
     auto A = random_chain<3>(random, blocks);
-    Cholesky factor(A);
+    Ldlt factor(A);
     for (const double shift : {10., 0.}) {
       factor.factorise(shift);
       const Dense D = dense(A) + shift * Dense::Identity(A.size(), A.size());
@@ -32,13 +32,13 @@ TEST_CASE("a chain's factor has no fill") {
   Random random(2);
   for (const int blocks : {1, 2, 50}) {
     const auto A = random_chain<3>(random, blocks);
-    CHECK(Cholesky(A).factor_entries() == A.values.size());
+    CHECK(Ldlt(A).factor_entries() == A.values.size());
     const auto B = random_chain<1>(random, blocks);
-    CHECK(Cholesky(B).factor_entries() == B.values.size());
+    CHECK(Ldlt(B).factor_entries() == B.values.size());
   }
 }
 
-TEST_CASE("the numbering is kept: a first unknown that couples to all others fills the factor") {
+TEST_CASE("the numbering is kept: a first unknown that moments to all others fills the factor") {
   SymmetricMatrix arrow;
   for (int k = 0; k < 10; ++k) {
     arrow.rows.push_back(0);
@@ -46,7 +46,7 @@ TEST_CASE("the numbering is kept: a first unknown that couples to all others fil
     arrow.starts.push_back(int(arrow.rows.size()));
   }
   arrow.values.assign(arrow.rows.size(), 1);
-  CHECK(Cholesky(arrow).factor_entries() == 55);
+  CHECK(Ldlt(arrow).factor_entries() == 55);
 }
 
 TEST_CASE("the inertia is that of the eigenvalues, with and without a shift") {
@@ -55,7 +55,7 @@ TEST_CASE("the inertia is that of the eigenvalues, with and without a shift") {
   for (int i = 0; i < 100; ++i) {
     const Dense D = random_symmetric(random, 2 + i % 9);
     const SymmetricMatrix A = sparse(D);
-    Cholesky factor(A);
+    Ldlt factor(A);
     for (const double shift : {0., 0.7, -0.7, 100.}) {
       const Inertia inertia = factor.factorise(shift);
       const int negative = negative_eigenvalues(D + shift * Dense::Identity(D.rows(), D.cols()));
@@ -74,7 +74,7 @@ TEST_CASE("what is added to the diagonal is factorised, and the matrix is left a
     const Dense D = random_symmetric(random, size);
     SymmetricMatrix A = sparse(D);
     const auto values = A.values;
-    Cholesky factor(A);
+    Ldlt factor(A);
     const Vector added = 8 * random.vector(size);
     const Dense expected = D + Dense(added.asDiagonal());
     const Inertia inertia = factor.factorise(A, added);
@@ -94,7 +94,7 @@ TEST_CASE("what is added to the diagonal is factorised, and the matrix is left a
 TEST_CASE("changed values are seen by the next factorisation, not before") {
   Random random(4);
   auto A = random_chain<3>(random, 5);
-  Cholesky factor(A);
+  Ldlt factor(A);
   const Vector b = random.vector(A.size());
   factor.factorise(10);
   const Dense first = dense(A);
@@ -110,7 +110,7 @@ TEST_CASE("changed values are seen by the next factorisation, not before") {
 
 TEST_CASE("pivots that are zero or not finite are reported") {
   SymmetricMatrix A = sparse(Vec3(2, -1, 3).asDiagonal().toDenseMatrix());
-  Cholesky factor(A);
+  Ldlt factor(A);
   Inertia inertia = factor.factorise();
   CHECK(inertia.negative == 1);
   CHECK(inertia.broken == 0);
@@ -132,7 +132,7 @@ TEST_CASE("pivots that are zero or not finite are reported") {
 
 TEST_CASE("the condition estimate is the ratio of the pivots") {
   const SymmetricMatrix A = sparse(Vec3(2, 8, 4).asDiagonal().toDenseMatrix());
-  Cholesky factor(A);
+  Ldlt factor(A);
   factor.factorise();
   CHECK(factor.reciprocal_condition() == doctest::Approx(0.25));
 }
@@ -140,7 +140,7 @@ TEST_CASE("the condition estimate is the ratio of the pivots") {
 TEST_CASE("two objects do not know of each other") {
   Random random(5);
   const auto A = random_chain<3>(random, 4), B = random_chain<3>(random, 7);
-  Cholesky a(A), b(B);
+  Ldlt a(A), b(B);
   a.factorise(10);
   b.factorise(20);
   const Vector u = random.vector(A.size()), v = random.vector(B.size());
@@ -156,7 +156,7 @@ TEST_CASE("when memory runs out, at any point, there is an exception and nothing
   const auto A = random_chain<3>(random, 50);
   const Vector b = random.vector(A.size());
   const auto run = [&] {
-    Cholesky factor(A);
+    Ldlt factor(A);
     factor.factorise(10);
     Vector x;
     factor.solve(b, x);
@@ -184,7 +184,7 @@ TEST_CASE("when memory runs out, at any point, there is an exception and nothing
 TEST_CASE("a factor survives a shortage of memory") {
   Random random(7);
   const auto A = random_chain<3>(random, 50);
-  Cholesky factor(A);
+  Ldlt factor(A);
   {
     const FailingMemory none(0);
     CHECK_THROWS_AS(factor.factorise(10), std::bad_alloc);
