@@ -17,12 +17,12 @@ pytestmark = pytest.mark.outside
 SOURCE = Path(__file__).parents[2]
 EXAMPLE = SOURCE / "examples" / "cpp"
 ONE_FILE = """
-#include <pyrod/sparse/cholesky.hpp>
+#include <pyrod/sparse/ldlt.hpp>
 #include <cstdio>
 int main() {
   pyrod::SymmetricMatrix A;  // [2 1; 1 -4]
   A.starts = {0, 1, 3}, A.rows = {0, 0, 1}, A.values = {2, 1, -4};
-  pyrod::Cholesky factor(A);
+  pyrod::Ldlt factor(A);
   const int negative = factor.factorise().negative;
   pyrod::Vector x(2);
   x << 4, -7;
