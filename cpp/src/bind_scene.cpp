@@ -19,6 +19,12 @@ Solver scene_of(const std::vector<const GivenRod*>& rods, std::vector<Support> s
       Scene(std::move(specs), std::move(supports), std::move(loads), space, std::move(joints)));
 }
 
+/// Others may find it just now, and ask functions of Python for it: the lock must be free.
+const ReadyScene& climbing(const Solver& scene) {
+  const py::gil_scoped_release release;
+  return scene.climbing();
+}
+
 /// The rods of a scene that is ready; None for those that are as `given`.
 py::list rods_of(const ReadyScene& ready, const std::vector<const GivenRod*>& given) {
   py::list out;
@@ -59,7 +65,7 @@ py::list attachments(const Solver& scene, int joint) {
 /// Frames of the edges without a tolerance, on those with one.
 py::array on_climbing_edges(const Solver& scene, const Array& frames) {
   const auto more =
-      detail::on_more_edges(quaternions(frames, "start"), scene.plain(), scene.climbing());
+      detail::on_more_edges(quaternions(frames, "start"), scene.plain(), climbing(scene));
   return more.empty() ? py::array(frames) : py::array(array(more));
 }
 
@@ -71,7 +77,10 @@ py::tuple dead(const Loads<Spatial>& on) {
 
 /// A grid of a solve with a tolerance: edges of the rods, where they are held and joined, loads.
 py::tuple level(const Solver& scene, int number) {
-  const auto on = scene.climbing().network_on(number);
+  const auto on = [&] {
+    const py::gil_scoped_release release;
+    return scene.climbing().network_on(number);
+  }();
   py::list edges, attached, loads;
   for (const auto& rod : on->network.rods) edges.append(rod.edges());
   for (const auto& a : on->network.attachments) attached.append(py::make_tuple(a.rod, a.vertex));
@@ -208,7 +217,7 @@ void scene(py::module_& module) {
       .def(
           "climbing_rods",
           [](const Solver& s, const std::vector<const GivenRod*>& given) {
-            return rods_of(s.climbing(), given);
+            return rods_of(climbing(s), given);
           },
           py::arg("given"), "The same of a solve with a tolerance.")
       .def("on_climbing_edges", &on_climbing_edges, py::arg("frames"))

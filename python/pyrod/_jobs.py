@@ -16,10 +16,6 @@ if TYPE_CHECKING:
 
     from pyrod.scene import Scene
 
-DEFAULT_TOLERANCE = 1e-6
-"""For rods that leave their edges to the solver."""
-
-
 class How(NamedTuple):
     """How to solve."""
 
@@ -56,9 +52,9 @@ def start_of(start: Equilibrium | ArrayLike | None, scene: Scene) -> Any:
 
 def _refuse_other_edges(start: Equilibrium, scene: Scene) -> None:
     had = [len(rod.frames) for rod in start.rods]
-    edges = [[rod.edges for rod in one.rods] for one in (scene, scene._climbing)]
-    if had not in edges:
-        expected, got = (", ".join(map(str, counts)) for counts in (edges[0], had))
+    edges = [rod.edges for rod in scene.rods]
+    if had != edges and had != [rod.edges for rod in scene._climbing.rods]:
+        expected, got = (", ".join(map(str, counts)) for counts in (edges, had))
         raise ValueError(
             f"start: expected {expected} rows, as many as the rods have edges, got {got}; a "
             "support or a joint between two vertices gives its rod one more"

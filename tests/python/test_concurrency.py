@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -114,3 +116,39 @@ def test_results_are_looked_at_by_many_threads() -> None:
     result = span()
     seen = together([lambda: result.moment] * (4 * THREADS))
     assert all(np.array_equal(moment, span().moment) for moment in seen)
+
+
+WAITING = """
+import threading, time
+import numpy as np, pyrod
+from pyrod import Clamp, Force, Rod, Scene, Section
+
+def section(s):
+    time.sleep(1e-4)  # another thread has the lock of Python meanwhile
+    return Section(1.0, 1.0 + abs(s - 0.377), 1.0)
+
+scene = Scene(Rod.straight(1.0, 16, section), Clamp(), Force((1, 0, 0), at=0.7))
+start = pyrod.solve(Scene(Rod.straight(1.0, 17, Section(1, 1, 1)), Clamp(), Force((1, 0, 0))))
+refused = []
+
+def look():  # for the edges with a tolerance, which the other thread is finding
+    time.sleep(5e-3)
+    try:
+        pyrod.solve(scene, tol=1e-4, start=start)
+    except ValueError as error:
+        refused.append(str(error))
+
+others = [threading.Thread(target=look) for _ in range(2)]
+for other in others:
+    other.start()
+result = pyrod.solve(scene, tol=1e-4)
+for other in others:
+    other.join()
+assert len(refused) == 2 and result.converged, refused
+"""
+
+
+@pytest.mark.outside
+def test_who_waits_for_a_function_does_not_hold_the_lock_of_python() -> None:
+    """Else nobody goes on, so that only another program can tell."""
+    subprocess.run([sys.executable, "-c", WAITING], check=True, timeout=60)

@@ -38,7 +38,7 @@ TEST_CASE("a chain's factor has no fill") {
   }
 }
 
-TEST_CASE("the numbering is kept: a first unknown that moments to all others fills the factor") {
+TEST_CASE("the numbering is kept: a first unknown that couples to all others fills the factor") {
   SymmetricMatrix arrow;
   for (int k = 0; k < 10; ++k) {
     arrow.rows.push_back(0);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import warnings
 from collections.abc import Callable
 
@@ -266,3 +267,17 @@ def test_loads_edge_by_edge_keep_their_ends_on_the_solvers_own_grid() -> None:
 
     told = tip(lambda s: (2.0, 0, 0) if s < 7 / 16 else (0, 0, 0))
     np.testing.assert_allclose(tip(values), told, rtol=0, atol=2e-8)
+
+
+def test_rows_of_loads_belong_to_the_rod_that_was_given() -> None:
+    """A point load moved the grid, of as many edges as before, and the rows with it."""
+    rod = Rod.straight(1.0, None, Section(1, 1, 1))
+    values = np.where(np.arange(16)[:, None] < 7, (2.0, 0, 0), (0, 0, 0))
+    smooth = DistributedForce(lambda s: (2.0, 0, 0) if s < 7 / 16 else (0, 0, 0))
+    point = Force((1, 0, 0), at=0.37)
+    scene = Scene(rod, Clamp(), [DistributedForce(values), point])
+    told = pyrod.solve(Scene(rod, Clamp(), [smooth, point]), tol=1e-7).tip
+    np.testing.assert_allclose(pyrod.solve(scene, tol=1e-7).tip, told, rtol=0, atol=2e-8)
+    assert len(scene.loads[0].force_per_length) == scene.rod.edges
+    again = pickle.loads(pickle.dumps(scene))
+    np.testing.assert_allclose(pyrod.solve(again, tol=1e-7).tip, told, rtol=0, atol=2e-8)

@@ -45,6 +45,14 @@ class NetworkCells {
   }
 
  private:
+  /// Number by number: g++ takes what Eigen makes of it for uninitialised.
+  static Mat<spin> transposed(const Mat<spin>& m) {
+    Mat<spin> out;
+    for (int k = 0; k < spin; ++k)
+      for (int i = 0; i < spin; ++i) out(i, k) = m(k, i);
+    return out;
+  }
+
   /// The cell of vertex j between two edges.
   template <Hessian kind>
   void add_turn(const State& x, int before, int behind, const Rod<Space>& rod, int j, double Δs,
@@ -63,9 +71,9 @@ class NetworkCells {
     if (a < b)
       out.hessian.add(a, b, jet.ab);
     else if (b < a)
-      out.hessian.add(b, a, jet.ab.transpose().eval());
+      out.hessian.add(b, a, transposed(jet.ab));
     else
-      out.hessian.add_diagonal(a, Mat<spin>(jet.ab + jet.ab.transpose()));
+      out.hessian.add_diagonal(a, Mat<spin>(jet.ab + transposed(jet.ab)));
   }
 
   /// Half a cell between an edge and the node it is fixed to. It turns by less than π.
@@ -87,7 +95,7 @@ class NetworkCells {
     out.hessian.add_diagonal(q, before ? jet.aa : jet.bb);
     const Spin<Space>& g = before ? jet.b : jet.a;
     const Mat<spin>& H = before ? jet.bb : jet.aa;
-    const Mat<spin> mixed = before ? jet.ab : Mat<spin>(jet.ab.transpose());  // edge × node
+    const Mat<spin> mixed = before ? jet.ab : transposed(jet.ab);  // edge × node
     const Mat<spin> turns = own_turns(x, a);  // of the held frame, per unknown of the node
     if (a.hinge) add_hinge<kind>(a, g, H, mixed, turns, q, v, out);
     if (v < 0) return;
@@ -97,7 +105,7 @@ class NetworkCells {
   }
 
   /// The held frame F moves as F ← F exp(α) exp(β) with α from the node and β = δ b from the hinge,
-  /// whose logarithm is α + β + ½ α × β: the product moments the two by what the cell exerts.
+  /// whose logarithm is α + β + ½ α × β: the product couples the two by what the cell exerts.
   template <Hessian kind>
   void add_hinge(const Attachment<Space>& a, const Spin<Space>& g, const Mat<spin>& H,
                  const Mat<spin>& mixed, const Mat<spin>& turns, int q, int v, Storage& out) const {

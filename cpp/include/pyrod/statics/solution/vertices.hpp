@@ -77,7 +77,7 @@ class Vertices {
     return nullptr;
   }
 
-  /// The moments beside a moment are those of the cell, less what of it the edge there feels.
+  /// The moments beside an applied one are those of the cell, less what of it the edge there feels.
   void see_sides(RodSolution<Space>& s, const std::vector<Point<Space>>& force, int j) const {
     const std::size_t J = std::size_t(j / stride_);
     const HeldVertex<Space>* held = holding(j);
@@ -109,7 +109,7 @@ class Vertices {
     s.before.push_back(out);
   }
 
-  /// Of the halves of a cell under their moments: those beside a moment carry more than their mean.
+  /// Of the halves of a cell under their moments: beside an applied one they are not their mean.
   double energy(const Jump<Space>& sides, const Spin<Space>& before,
                 const Spin<Space>& behind) const {
     const int j = sides.vertex;
