@@ -9,13 +9,10 @@
 int main() {
   using namespace pyrod;
   const int n = 64;
+  const Section section(1, 1, 0.7, 4e3, 4e3, 1e4);
   for (const auto dimension : {Dimension::planar, Dimension::spatial}) {
     const auto time = benchmark::seconds([&] {
-      const auto rod = Rod<Spatial>::uniform(Grid::uniform(1, n), {1, 1, 0.7}, {4e3, 4e3, 1e4});
-      rod.check();
-      Loads<Spatial> loads(n);
-      loads.add_force(rod.grid, {10, 0, 0}, 1);
-      solve(rod, dimension, ModelKind::cosserat, {}, loads);
+      solve(Scene({straight(1.0, n, section)}, {Clamp{}}, {Force{{10, 0, 0}}}, dimension));
     });
     std::printf("%.9f\n", time);
   }

@@ -47,10 +47,21 @@ double bare_cholmod(SymmetricMatrix A, Vector b) {
 template <class P>
 double kept_memory(const P& problem, const typename P::State& start) {
   Workspace<LinearisationOf<P>, typename P::State> kept(problem);
-  kept.factor.factorise();
+  kept.factor.factorise(0);
   kept.factor.solve(kept.δ, kept.trial);
   kept.from = start;
-  return double(kept.bytes()) / double(start.size());
+  return double(kept.bytes()) / double(start.frames.size());
+}
+
+/// A rod clamped at its start.
+template <class Space>
+Network<Space> clamped(const Rod<Space>& rod, const Loads<Space>& loads) {
+  Network<Space> out{{rod}, {{}}, {loads}, {}, {}};
+  out.nodes.emplace_back();
+  out.nodes[0].free.resize(Space::dim, 0);
+  out.nodes[0].turns.resize(Space::spin, 0);
+  out.attachments.push_back({0, 0, 0, true});
+  return out;
 }
 
 template <class Space>
@@ -58,12 +69,12 @@ void row(int n, ModelKind model, const char* name) {
   const auto scene_rod = in_model(rod<Space>(n), model);
   Loads<Space> loads(n);
   loads.add_force(scene_rod.grid, restrict_point<Space>({5, 0, 1}), 1);
-  const auto identity = Space::Rotation::Identity();
-  const CantileverProblem<Space> problem(scene_rod, identity, loads);
-  const Cantilever<Space> scene(scene_rod, Point<Space>::Zero(), identity, loads);
+  const Posed<Space> posed(clamped(scene_rod, loads));
+  const auto& problem = posed.problem();
 
   auto here = problem.linearisation();
-  auto state = scene.start().first, moved = state;
+  const auto start = ClampedStart<Space>(posed.layout()).state();
+  auto state = start, moved = state;
   Ldlt factor(here.hessian);
   Vector δ(here.gradient.size());
   const auto step = [&](Hessian curvature) {
@@ -84,11 +95,10 @@ void row(int n, ModelKind model, const char* name) {
   const double iteration = scale * seconds([&] { step(Hessian::exact); });
   const double bare = scale * bare_cholmod(here.hessian, here.gradient);
 
-  Newton<CantileverProblem<Space>> newton(problem);
-  const auto start = scene.start().first;
+  Newton<NetworkProblem<Space>> newton(problem);
   int iterations = 0;
   const double newton_time = seconds([&] { iterations = newton.solve(start).iterations(); }, 3);
-  const double all = seconds([&] { scene.solve(); }, 3);
+  const double all = seconds([&] { NetworkSolver<Space>(posed, {}, {}, {}).solve(); }, 3);
   std::printf(
       "%-8s %-12s %8d %6.1f %6.0f %6.0f %6.1f %6.0f %6.0f %6.2f %4d %7.0f %6.2f %10.3f %6.0f\n",
       Space::spin == 3 ? "spatial" : "planar", name, n, evaluate, factorise, solve, move, iteration,

@@ -52,24 +52,31 @@ Network<Spatial> grid(int k) {
 
 void row(int k) {
   const auto net = grid(k);
-  NetworkResult<Spatial> result;
+  Solution<Spatial> result;
+  NetworkState<Spatial> state;
   const double all = seconds(
-      [&] { result = NetworkSolver<Spatial>(net, Options{}, NetworkOptions{}, {}).solve(); }, 3);
-  const Layout<Spatial> layout(net);
-  const NetworkProblem<Spatial> problem(layout);
+      [&] {
+        const Posed<Spatial> posed(net);
+        NetworkSolver<Spatial> solver(posed, {}, {}, {});
+        result = solver.solve();
+        state = solver.state();
+      },
+      3);
+  const Posed<Spatial> posed(net);
+  const auto& layout = posed.layout();
+  const auto& problem = posed.problem();
   auto here = problem.linearisation();
-  auto moved = result.state;
-  problem.linearise(result.state, Hessian::exact, here);
+  auto moved = state;
+  problem.linearise(state, Hessian::exact, here);
   Ldlt factor(here.hessian);
   Vector δ(here.gradient.size());
   const double ns = 1e9 / result.unknowns;
   const double analyse = ns * seconds([&] { Ldlt again(here.hessian); }, 3);
-  const double evaluate =
-      ns * seconds([&] { problem.linearise(result.state, Hessian::exact, here); }, 3);
+  const double evaluate = ns * seconds([&] { problem.linearise(state, Hessian::exact, here); }, 3);
   const double factorise = ns * seconds([&] { factor.factorise(); }, 3);
   const double solve = ns * seconds([&] { factor.solve(here.gradient, δ); }, 3);
   δ.setConstant(1e-12);
-  const double move = ns * seconds([&] { problem.move(result.state, δ, moved); }, 3);
+  const double move = ns * seconds([&] { problem.move(state, δ, moved); }, 3);
   std::printf("%3d %8d %8d %8d %5.1f %4d %5d %9.2f %7.0f %8.0f %7.0f %7.0f %6.0f %6.0f\n", k,
               layout.edges(), result.unknowns, result.multipliers, result.fill,
               int(result.record.size()), result.index, 1e3 * all, ns * all, analyse, evaluate,

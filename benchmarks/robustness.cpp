@@ -15,15 +15,14 @@ double normal() { return std::normal_distribution<double>()(generator); }
 Vec3 direction() { return Vec3(normal(), normal(), normal()).normalized(); }
 
 /// EI1 = 1, EI2 and GJ spread over a factor of 30, |K0| L as given, n = 64.
-Solution<Spatial> solve_random(double force, double curvature, double moment) {
+Equilibrium solve_random(double force, double curvature, double moment) {
   const int n = 64;
   const Vec3 bending(1, std::exp(1.15 * normal()), 0.6 * std::exp(0.5 * normal()));
-  const auto rod = Rod<Spatial>::uniform(Grid::uniform(1, n), bending,
-                                         Vec3::Constant(Section::rigid), curvature * direction());
-  Loads<Spatial> loads(n);
-  loads.add_force(rod.grid, force * direction(), 1);
-  if (moment > 0) loads.add_moment(rod.grid, moment * direction(), 1);
-  return Cantilever<Spatial>(rod, Vec3::Zero(), Quaternion::Identity(), loads).solve();
+  const Section section(bending[0], bending[1], bending[2]);
+  const auto rod = precurved(1.0, n, section, curvature * direction());
+  std::vector<Load> loads{Force{force * direction()}};
+  if (moment > 0) loads.push_back(Moment{moment * direction()});
+  return solve(Scene({rod}, {Clamp{}}, loads));
 }
 
 void row(double force, double curvature, double moment) {
@@ -32,11 +31,11 @@ void row(double force, double curvature, double moment) {
   int failed = 0, unstable = 0;
   for (int i = 0; i < rods; ++i) {
     const auto found = solve_random(force, curvature, moment);
-    if (found.status == Status::converged)
-      iterations.push_back(int(found.record.size()));
+    if (found.converged())
+      iterations.push_back(int(found.found.record.size()));
     else
       ++failed;
-    unstable += found.index > 0;
+    unstable += found.index() > 0;
   }
   std::sort(iterations.begin(), iterations.end());
   const auto quantile = [&](double q) {

@@ -133,18 +133,18 @@ void equilibrium(py::module_& module) {
   bind_rod_solution(module);
   using E = Equilibrium;
   py::class_<E, std::shared_ptr<E>> type(module, "Equilibrium", "A scene, solved.");
-  const auto field = [&](const char* name, auto SceneSolution::* member) {
+  const auto field = [&](const char* name, auto Course::* member) {
     type.def_property_readonly(name, [member](const E& e) { return e.found.*member; });
   };
-  field("index", &SceneSolution::index);
-  field("residual", &SceneSolution::residual);
-  field("load_steps", &SceneSolution::load_steps);
-  field("descents", &SceneSolution::descents);
-  field("unknowns", &SceneSolution::unknowns);
-  field("multipliers", &SceneSolution::multipliers);
-  field("fill", &SceneSolution::fill);
-  field("neutral", &SceneSolution::neutral);
-  field("lowest_eigenvalue", &SceneSolution::lowest_eigenvalue);
+  field("index", &Course::index);
+  field("residual", &Course::residual);
+  field("load_steps", &Course::load_steps);
+  field("descents", &Course::descents);
+  field("unknowns", &Course::unknowns);
+  field("multipliers", &Course::multipliers);
+  field("fill", &Course::fill);
+  field("neutral", &Course::neutral);
+  field("lowest_eigenvalue", &Course::lowest_eigenvalue);
   type.def_property_readonly("rods", &rods)
       .def_property_readonly("status", [](const E& e) { return std::string(name(e.status())); })
       .def_property_readonly("advice", [](const E& e) { return std::string(e.advice()); })

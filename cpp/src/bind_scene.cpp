@@ -77,14 +77,14 @@ py::tuple dead(const Loads<Spatial>& on) {
 
 /// A grid of a solve with a tolerance: edges of the rods, where they are held and joined, loads.
 py::tuple level(const Solver& scene, int number) {
-  const auto on = [&] {
+  const auto network = [&] {
     const py::gil_scoped_release release;
-    return scene.climbing().network_on(number);
+    return scene.climbing().network_on(number).network;
   }();
   py::list edges, attached, loads;
-  for (const auto& rod : on->network.rods) edges.append(rod.edges());
-  for (const auto& a : on->network.attachments) attached.append(py::make_tuple(a.rod, a.vertex));
-  for (const auto& acting : on->network.loads) loads.append(dead(acting));
+  for (const auto& rod : network.rods) edges.append(rod.edges());
+  for (const auto& a : network.attachments) attached.append(py::make_tuple(a.rod, a.vertex));
+  for (const auto& acting : network.loads) loads.append(dead(acting));
   return py::make_tuple(edges, attached, loads);
 }
 
@@ -230,8 +230,6 @@ void scene(py::module_& module) {
           py::arg("support"))
       .def_property_readonly("plane",
                              [](const Solver& s) { return placement(s.plain().network().plane); })
-      .def_property_readonly("is_cantilever",
-                             [](const Solver& s) { return is_cantilever(s.plain().scene()); })
       .def("attachments", &attachments, py::arg("joint"))
       .def(
           "dead_loads", [](const Solver& s, int rod) { return dead(s.plain().grid().loads(rod)); },

@@ -15,7 +15,7 @@ from pyrod._savable import Savable
 from pyrod.joints import Joint
 from pyrod.loads import Load, on_cut_edges, refuse_shapes, sampled_load, stepwise_load
 from pyrod.rod import Rod
-from pyrod.supports import Support
+from pyrod.supports import Clamp, Support
 
 Space = Literal["planar", "spatial"]
 
@@ -134,7 +134,12 @@ class Scene(Immutable, Savable):
     @property
     def is_cantilever(self) -> bool:
         """One rod, clamped at its start, free at its end, under loads that do not follow it."""
-        return self._core.is_cantilever
+        if len(self.rods) != 1 or self.joints or len(self.supports) != 1:
+            return False
+        (support,) = self.supports
+        clamped = isinstance(support, Clamp) and support.turns == 0
+        at_start = clamped and self._core.vertex(support.at) == (0, 0)
+        return at_start and not any(load.follower for load in self.loads)
 
     @property
     def clamp_position(self) -> Array:

@@ -230,9 +230,12 @@ def test_what_is_not_small_is_solved() -> None:
 
 
 @pytest.mark.filterwarnings("ignore::pyrod.StrainWarning")
-def test_what_has_no_equilibrium_is_told() -> None:
+def test_where_no_equilibrium_is_found_it_is_told() -> None:
+    rod = Rod.straight(1.0, 16, Section(1, 1, 1, 2, 2, 4), "inextensible")
+    ends = [Clamp(), Clamp((0.3, 0, 0.8), at="end")]
+    held = solve(Scene(rod, ends, Force((50, 0, 50), at=0.5), "planar"))
     with pytest.raises(pyrod.NotConverged):
-        pyrod.effect(thick(100), "shear")
+        pyrod.effect(held, "shear")
 
 
 def test_a_state_that_is_no_equilibrium_has_no_effects() -> None:

@@ -386,9 +386,6 @@ class Scene:
     def vertex(self, at: typing.Any) -> tuple:
         ...
     @property
-    def is_cantilever(self) -> bool:
-        ...
-    @property
     def plane(self) -> tuple:
         ...
 def breaks(function: collections.abc.Callable, length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[tuple, bool]:

@@ -39,7 +39,7 @@ TEST_CASE("multipliers: their rows, their part of vectors, and the matrix times 
 }
 
 TEST_CASE("no multipliers") {
-  const BlockTridiagonal<1> K(3);
+  const BlockSymmetric K = chain_of(1, 3);
   const Multipliers multipliers(K, Vector::Ones(3), Vector::Ones(3));
   Vector v = Vector::Ones(3), out;
   multipliers.set(7, v);

@@ -12,6 +12,8 @@ using namespace pyrod::test;
 
 namespace {
 
+constexpr double always = 1e-6;  // share of the stiffness that is added in any case
+
 /// A saddle of six rows and two multipliers, to each of which C A⁻¹ Cᵀ = `give` 1 gives way.
 struct Saddle {
   explicit Saddle(Random& random, double give = 1e-8) : unit(std::sqrt(give)) {
@@ -24,7 +26,7 @@ struct Saddle {
     softness = Vector::Zero(K.size());
   }
   Dense kept() const {  // what always stays beside K
-    return dense(K) + ShiftedFactor::always * Dense(stiffness.asDiagonal());
+    return dense(K) + always * Dense(stiffness.asDiagonal());
   }
   /// (kept + Z) x = b, with multipliers in a unit in which the dense solver finds them exactly.
   Vector solution(const Vector& b, const Dense& Z = Dense::Zero(8, 8)) const {
@@ -33,7 +35,7 @@ struct Saddle {
     const Dense scaled = scale.asDiagonal() * (kept() + Z) * scale.asDiagonal();
     return scale.cwiseProduct(solve_dense(scaled, scale.cwiseProduct(b)));
   }
-  ShiftedFactor factor() { return {K, stiffness, Vector::Ones(K.size())}; }
+  ShiftedFactor factor() { return {K, stiffness, Vector::Ones(K.size()), always}; }
 
   static constexpr int primal = 6;
   double unit;
@@ -133,7 +135,7 @@ TEST_CASE("pivots that are zero without the shift: a multiplier first, a part th
   A.diagonal() = Vec<4>(0, 3, 4, 0);
   SymmetricMatrix K = sparse(A);
   const Vector stiffness = Vec<4>(0, 1, 1, 1);
-  ShiftedFactor factor(K, stiffness, Vector::Ones(4));
+  ShiftedFactor factor(K, stiffness, Vector::Ones(4), always);
   factor.factorise(0);
   CHECK(factor.broken());
 
@@ -142,7 +144,7 @@ TEST_CASE("pivots that are zero without the shift: a multiplier first, a part th
   CHECK_FALSE(factor.broken());
   CHECK(factor.index() == 0);
   const Vector b = Vec<4>(1, 2, -3, 1e-6);
-  const Dense kept = A + ShiftedFactor::always * Dense(stiffness.asDiagonal());
+  const Dense kept = A + always * Dense(stiffness.asDiagonal());
   Vector x;
   factor.solve(b, x);
   factor.correct(b, x);

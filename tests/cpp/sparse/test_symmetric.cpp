@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/sparse/symmetric.hpp>
+#include <pyrod/sparse/block_symmetric.hpp>
 
 #include "support/dense.hpp"
+#include "support/matrices.hpp"
 #include "support/near.hpp"
 #include "support/random.hpp"
 
@@ -13,7 +14,8 @@ TEST_CASE_TEMPLATE("a chain of blocks is the dense matrix it stands for", Size,
   constexpr int B = Size::value;
   Random random(1);
   for (const int blocks : {1, 2, 6}) {
-    BlockTridiagonal<B> A(blocks);
+    BlockSymmetric A = chain_of(B, blocks);
+    const auto chain = A.template chain<B>(0, blocks);
     Dense expected = Dense::Zero(B * blocks, B * blocks);
     Mat<B, B, Pack<4>> above_lanes, diagonal_lanes;
     for (int j = 0; j < blocks; ++j) {
@@ -24,7 +26,7 @@ TEST_CASE_TEMPLATE("a chain of blocks is the dense matrix it stands for", Size,
         diagonal_lanes(i).values[j % 4] = diagonal(i);
       }
       if (j % 4 == 3 || j == blocks - 1)
-        A.chain().set(j / 4 * 4, j % 4 + 1, above_lanes, diagonal_lanes);
+        chain.set(j / 4 * 4, j % 4 + 1, above_lanes, diagonal_lanes);
       const Mat<B> symmetric = diagonal.template selfadjointView<Eigen::Upper>();
       expected.block<B, B>(B * j, B * j) = symmetric;
       if (j == 0) continue;

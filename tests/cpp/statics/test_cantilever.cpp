@@ -30,7 +30,7 @@ Point<Space> stretching(double size = 50) {
 
 /// Section moments in balance with what acts on the edges between them.
 template <class Space>
-double imbalance(const Scene<Space>& scene, const Solution<Space>& solution) {
+double imbalance(const Scene<Space>& scene, const Solved<Space>& solution) {
   double worst = 0, scale = 0;
   for (int j = 0; j < scene.rod.edges(); ++j) {
     const Point<Space> edge = solution.curve.positions[j + 1] - solution.curve.positions[j];
@@ -199,14 +199,15 @@ TEST_CASE("beyond Euler's load the straight rod is an equilibrium, but not a sta
     CAPTURE(load);
     auto flat = uniform_scene<Planar>(n, Vec1(1.), stretching<Planar>());
     flat.loads.add_force(flat.rod.grid, Vec2(0, -load * π * π / 4), 1);
-    const auto plane = solved<Planar, InextensibleKirchhoff>(flat);
+    const auto plane = solved<Planar, InextensibleKirchhoff>(flat, Options{}, Trace{}, false);
     CHECK(plane.status == Status::converged);
     CHECK(plane.index == index);
     CHECK(distance(plane.curve.positions[n], Vec2(0, 1)) < 1e-14);
 
     auto scene = uniform_scene<Spatial>(n, Vec3(1, 1, 1), stretching<Spatial>());
     scene.loads.add_force(scene.rod.grid, Vec3(0, 0, -load * π * π / 4), 1);
-    CHECK(solved<Spatial, InextensibleKirchhoff>(scene).index == 2 * index);
+    const auto space = solved<Spatial, InextensibleKirchhoff>(scene, Options{}, Trace{}, false);
+    CHECK(space.index == 2 * index);
   }
   // Started beside it, the rod buckles.
   auto scene = uniform_scene<Planar>(n, Vec1(1.), stretching<Planar>());
@@ -227,7 +228,7 @@ TEST_CASE_TEMPLATE("section forces and moments are in exact balance with the loa
     CHECK(solution.status == Status::converged);
     CHECK(imbalance(scene, solution) < 1e-12);
     CHECK(distance(solution.moment[n], scene.loads.end_moment) < 1e-13);
-    CHECK(distance(solution.force, scene.loads.section_forces()) == 0);
+    CHECK(distance(solution.force, scene.loads.section_forces()) < 1e-14);
     for (int j = 0; j < n; ++j)
       CHECK(distance(rotate(solution.curve.frames[j], solution.material_force[j]),
                      solution.force[j]) < 1e-13);

@@ -22,7 +22,7 @@ template <class Space>
 struct RandomChain {
   using Rotation = typename Space::Rotation;
   static constexpr int dim = Space::dim, spin = Space::spin;
-  using Storage = Linearisation<BlockTridiagonal<spin>>;
+  using Storage = Linearisation<BlockSymmetric>;
 
   int n;
   Rotation clamp;
@@ -58,12 +58,12 @@ struct RandomChain {
 
   template <Hessian kind>
   Storage in_packs(Instructions set) const {
-    Storage out{0, 0, Vector::Constant(spin * n, NAN), BlockTridiagonal<spin>(n)};
+    Storage out{0, 0, Vector::Constant(spin * n, NAN), chain_of(spin, n)};
     std::fill(out.hessian.values.begin(), out.hessian.values.end(), NAN);
     const auto edges = columns();
     const auto told = forces();
     const Chain<Space> chain{n, 0, edges, told, Point<Space>::Zero(), clamp, frames.data()};
-    ChainRows<Space> rows{out.gradient.data(), out.hessian.chain()};
+    ChainRows<Space> rows{out.gradient.data(), out.hessian.template chain<spin>(0, n)};
     dispatch(ChainLinearisation<Space, kind>(chain, rows), set);
     out.energy = rows.energy, out.magnitude = rows.magnitude;
     return out;

@@ -53,7 +53,7 @@ TEST_CASE_TEMPLATE("clamped rods on several threads are those on one, to the bit
 TEST_CASE_TEMPLATE("networks on several threads are those on one, to the bit", Space, EACH_SPACE) {
   Random random(3);
   const auto net = random_network<Space>(random, {});
-  const auto find = [&] { return solved(net).solution.rods; };
+  const auto find = [&] { return solved(net).rods; };
   const auto alone = find();
   for (const auto& rods : together(find)) {
     REQUIRE(rods.size() == alone.size());

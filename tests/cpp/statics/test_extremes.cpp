@@ -22,7 +22,7 @@ Largest of_moments(const std::vector<double>& m, const std::vector<Before<Spatia
     s.moment.push_back(M);
     s.strains.K.push_back(M);
     extremes.add_cell(M, M);
-    extremes.add_force(Vec3::Zero());
+    extremes.set_force(int(s.moment.size()) - 1, Vec3::Zero());
   }
   s.before = before;
   return extremes.largest(s, 1);

@@ -13,14 +13,14 @@ constexpr int edges = 6;
 
 /// A bent rod with a node at its end. Its mode, in the components of the frames, is a turn about
 /// `axis`.
-SceneSolution bent(const Vec3& axis) {
+Solution<Spatial> bent(const Vec3& axis) {
   Random random(1);
   const auto made = random.rod<Spatial>(edges);
   const auto curve = made.at_rest(random.vector<3>(), random.rotation<Spatial>());
   RodSolution<Spatial> rod;
   rod.curve = curve;
   rod.vertex_frames.assign(edges + 1, curve.frames[0]);
-  SceneSolution out;
+  Solution<Spatial> out;
   for (int j = 0; j <= edges; ++j) {
     rod.vertex_force.push_back(random.vector<3>());
     rod.moment.push_back(random.vector<3>());

@@ -19,7 +19,7 @@ const std::vector<Rod<Spatial>>& rods() {
 }
 
 /// A straight rod under a pull, whose vertices are `off` from where they belong.
-SceneSolution pulled(double off) {
+Solution<Spatial> pulled(double off) {
   RodSolution<Spatial> rod;
   const Vec3 pull(0, 0, 1);
   rod.curve.frames.assign(edges, Quaternion::Identity());
@@ -31,7 +31,7 @@ SceneSolution pulled(double off) {
     list->assign(edges + 1, Vec3::Zero());
   rod.vertex_force.assign(edges + 1, pull);
   rod.load.assign(edges + 1, Vec3::Zero());
-  SceneSolution out;
+  Solution<Spatial> out;
   out.status = Status::converged;
   out.index = 0;
   out.rods.push_back(rod);
@@ -72,7 +72,7 @@ Climb climbed(double tolerance, const Says& says, int most_edges = many) {
   return out;
 }
 
-SceneSolution failed(Status status) {
+Solution<Spatial> failed(Status status) {
   auto out = pulled(7);
   out.status = status;
   return out;

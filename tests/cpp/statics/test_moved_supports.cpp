@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The last resort: supports moved from where the rods are at rest to where they are.
 #include <pyrod/solve/homotopy.hpp>
-#include <pyrod/solve/saddle_newton.hpp>
+#include <pyrod/solve/newton.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
 #include <pyrod/statics/start/start.hpp>
 
@@ -82,7 +82,7 @@ TEST_CASE("followed from rest, the rod arrives stable, with the turns that are p
     const Layout<Spatial> layout(pulled<Spatial>({0.1, 0.05, -0.3}, {0.2, 0.1, 0.3}, turns));
     const Start<Spatial> shapes(layout);
     const NetworkProblem<Spatial> problem(layout);
-    SaddleNewton<NetworkProblem<Spatial>> newton(problem);
+    Newton<NetworkProblem<Spatial>> newton(problem);
     const auto rest = shapes.at_rest();
     const auto path = follow(
         newton, [&](double λ, NetworkState<Spatial>& x) { shapes.move_supports(λ, rest, x); },

@@ -12,8 +12,8 @@ using namespace pyrod::test;
 
 namespace {
 
-static_assert(Constrained<NetworkProblem<Planar>>);
-static_assert(Constrained<NetworkProblem<Spatial>>);
+static_assert(Problem<NetworkProblem<Planar>>);
+static_assert(Problem<NetworkProblem<Spatial>>);
 
 /// Any frames, forces and places, nothing in equilibrium.
 template <class Space>

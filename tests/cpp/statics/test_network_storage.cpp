@@ -93,7 +93,8 @@ TEST_CASE_TEMPLATE("a span reaches as far as the forces in all of its edges make
     const auto x = random_state(random, layout);
     auto here = statics.linearisation();
     statics.linearise(x, Hessian::exact, here);
-    const auto n = statics.forces(x).sections;
+    typename NetworkProblem<Space>::Acting changed;
+    const auto n = statics.sections(x, statics.acting(x, changed));
     Point<Space> gap = x.positions[1] - x.positions[0];
     for (int j = 0; j < edges; ++j) {
       const Mat<Space::dim> R = matrix(x.frames[j]);
@@ -154,7 +155,7 @@ TEST_CASE_TEMPLATE("iterations behind the first allocate nothing", Space, EACH_S
   const NetworkProblem<Space> statics(layout);
   std::vector<std::size_t> counts;
   counts.reserve(100);
-  SaddleNewton<NetworkProblem<Space>> newton(statics, {}, [&](const Iteration&) {
+  Newton<NetworkProblem<Space>> newton(statics, {}, [&](const Iteration&) {
     Eigen::internal::set_is_malloc_allowed(false);
     counts.push_back(allocations());
     return true;
@@ -169,14 +170,14 @@ TEST_CASE_TEMPLATE("iterations behind the first allocate nothing", Space, EACH_S
 TEST_CASE_TEMPLATE("what a solve finds does not depend on the networks before it", Space,
                    EACH_SPACE) {
   using P = NetworkProblem<Space>;
-  auto& pool = Pool<SaddleWorkspace<LinearisationOf<P>, typename P::State>>::of_this_thread();
+  auto& pool = Pool<Workspace<LinearisationOf<P>, typename P::State>>::of_this_thread();
   Random random(6);
   const auto first = held<Space>(random, 20, 1).net, like = held<Space>(random, 20, 1).net,
              other = held<Space>(random, 20, 0).net;
   const auto solve = [&](const Network<Space>& net) {
     const Layout<Space> layout(net);
     const P statics(layout);
-    return SaddleNewton<P>(statics).solve(Start<Space>(layout).state());
+    return Newton<P>(statics).solve(Start<Space>(layout).state());
   };
   pool.clear();
   const auto fresh = solve(first);
@@ -202,7 +203,7 @@ TEST_CASE_TEMPLATE("storage of another network fits if blocks and multipliers ar
   const auto one = layout_of(9, 0), two = layout_of(9, 0), longer = layout_of(10, 0),
              freer = layout_of(9, 1);
   const NetworkProblem<Space> of_one(one), of_two(two), of_longer(longer), of_freer(freer);
-  const SaddleWorkspace<LinearisationOf<NetworkProblem<Space>>, NetworkState<Space>> kept(of_one);
+  const Workspace<LinearisationOf<NetworkProblem<Space>>, NetworkState<Space>> kept(of_one);
   CHECK(kept.fits(of_one));
   CHECK(kept.fits(of_two));
   CHECK(!kept.fits(of_longer));

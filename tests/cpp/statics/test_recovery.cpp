@@ -15,15 +15,15 @@ namespace {
 template <class Space>
 struct Solved {
   Network<Space> net;
-  NetworkResult<Space> result;
+  Solution<Space> result;
 
   Solved(Random& random, const Acting& acting) : net(random_network<Space>(random, acting)) {
     result = solved(net);
     REQUIRE(result.status == Status::converged);
   }
 
-  const auto& rod(int i) const { return result.solution.rods[i]; }
-  const auto& node(int v) const { return result.solution.nodes[v]; }
+  const auto& rod(int i) const { return result.rods[i]; }
+  const auto& node(int v) const { return result.nodes[v]; }
   Point<Space> place(int i, int j) const {
     const auto& r = rod(i).curve.positions;
     return r[std::size_t(j) == r.size() ? 0 : j];
@@ -109,7 +109,7 @@ TEST_CASE_TEMPLATE("supports exert nothing where they give way, and springs what
       CHECK((node.turns.transpose() * twist).norm() < 10 * rounding);
     }
     CHECK(held > 1);
-    for (std::size_t v = s.net.nodes.size(); v < s.result.solution.nodes.size(); ++v)
+    for (std::size_t v = s.net.nodes.size(); v < s.result.nodes.size(); ++v)
       CHECK(s.node(int(v)).reaction_force.norm() < rounding);  // free ends
   }
 }
@@ -154,10 +154,10 @@ TEST_CASE_TEMPLATE("a free end turns by what acts on it, dead or following", Spa
     (following ? s.net.loads[0].follower_end_moment : s.net.loads[0].end_moment) = M;
     const auto result = solved(s.net);
     REQUIRE(result.status == Status::converged);
-    const auto& rod = result.solution.rods[0];
+    const auto& rod = result.rods[0];
     const Spin<Space> acting = following ? rotate_spin(rod.curve.end_frame, M) : M;
     for (const auto& m : rod.moment) CHECK(distance(m, acting) < rounding);  // no force acts
     CHECK(distance(rod.load_moment, acting) < rounding);
-    CHECK(distance(result.solution.nodes[0].reaction_moment, Spin<Space>(-acting)) < rounding);
+    CHECK(distance(result.nodes[0].reaction_moment, Spin<Space>(-acting)) < rounding);
   }
 }

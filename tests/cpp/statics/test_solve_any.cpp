@@ -4,6 +4,10 @@
 #include "support/near.hpp"
 #include "support/network.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
 using namespace pyrod;
 using namespace pyrod::test;
 
@@ -63,15 +67,23 @@ TEST_CASE("a saddle is left unless it is wanted") {
         1e-8);
 }
 
-TEST_CASE("the network of a clamped rod is the clamped rod, by each model") {
+TEST_CASE(
+    "a rod that is clamped at its end is one clamped at its start, backwards, by each model") {
   const auto scene = rod_under([&](auto& loads, const Grid& grid) {
     loads.add_force(grid, rotate(somewhere.frame, Vec3(2, 0.5, 1)), 1);
   });
   for (const auto model : {ModelKind::cosserat, ModelKind::extensible, ModelKind::inextensible}) {
     const auto expected = solved(scene.rod, Dimension::spatial, model, somewhere, scene.loads);
-    const auto found =
-        run_in<Spatial>(held(in_model(scene.rod, model), somewhere, scene.loads), somewhere);
-    REQUIRE(found.result.status == Status::converged);
+    const Quaternion back = somewhere.frame * exp(Vec3(std::numbers::pi, 0, 0));
+    auto net =
+        clamped<Spatial>(in_model(scene.rod, model), {somewhere.position, back}, scene.loads);
+    net.attachments[0].vertex = n;
+    std::ranges::reverse(net.loads[0].force);
+    net.placements[0].position += rotate(somewhere.frame, Vec3::UnitZ());
+    auto found = run_in<Spatial>(net);
+    REQUIRE(found.status == Status::converged);
+    CHECK(found.multipliers == 0);
+    std::ranges::reverse(found.rods[0].curve.positions);
     CHECK(distance(found.rods[0].curve.positions, expected.curve.positions) < 1e-11);
   }
 }

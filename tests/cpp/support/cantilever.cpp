@@ -8,33 +8,44 @@ namespace pyrod::test {
 namespace {
 
 template <class Space>
-Cantilever<Space> cantilever(const Scene<Space>& scene) {
-  return {scene.rod, scene.r0, scene.q0, scene.loads};
+Network<Space> network(const Scene<Space>& scene) {
+  return clamped<Space>(scene.rod, {scene.r0, scene.q0}, scene.loads);
+}
+
+template <class Space>
+Solved<Space> the_rod(Solution<Space>&& from) {
+  return {std::move(from.rods[0]), from.status,     from.index,
+          from.residual,           from.load_steps, std::move(from.record)};
 }
 
 }  // namespace
 
 template <class Space>
-Solution<Space> solved(const Scene<Space>& scene, const Options& options, const Trace& trace) {
-  return cantilever<Space>(scene).solve(options, trace);
+Solved<Space> solved(const Scene<Space>& scene, const Options& options, const Trace& trace,
+                     bool stable) {
+  return the_rod(solved(network(scene), {.stable = stable}, options, trace));
 }
 
 template <class Space>
-Solution<Space> solved(const Scene<Space>& scene, std::vector<typename Space::Rotation> frames) {
-  return cantilever<Space>(scene).solve(std::move(frames));
+Solved<Space> solved(const Scene<Space>& scene, std::vector<typename Space::Rotation> frames) {
+  return the_rod(solved_from(network(scene), std::move(frames)));
 }
 
-#define INSTANTIATE(Space)                                                                   \
-  template Solution<Space> solved<Space>(const Scene<Space>&, const Options&, const Trace&); \
-  template Solution<Space> solved<Space>(const Scene<Space>&, std::vector<Space::Rotation>);
+#define INSTANTIATE(Space)                                                                       \
+  template Solved<Space> solved<Space>(const Scene<Space>&, const Options&, const Trace&, bool); \
+  template Solved<Space> solved<Space>(const Scene<Space>&, std::vector<Space::Rotation>);
 INSTANTIATE(Planar)
 INSTANTIATE(Spatial)
 #undef INSTANTIATE
 
-Solution<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
-                         const Placement<Spatial>& clamp, const Loads<Spatial>& loads,
-                         const std::vector<Quaternion>& start, bool stable) {
-  return solve(rod, dimension, model, clamp, loads, start, {}, {}, stable);
+Solved<Spatial> solved(const Rod<Spatial>& rod, Dimension dimension, ModelKind model,
+                       const Placement<Spatial>& clamp, const Loads<Spatial>& loads,
+                       const std::vector<Quaternion>& start, bool stable) {
+  const auto net = clamped(in_model(rod, model), clamp, loads);
+  const auto from = start.empty() ? std::nullopt : std::optional(NetworkStart{start, {}, {}});
+  return in_space(dimension, [&]<class Space>(Space) {
+    return the_rod(run_in<Space>(net, clamp, from, {.stable = stable}));
+  });
 }
 
 template <class Space>

@@ -42,6 +42,7 @@ struct ConstrainedProblem {
   }
   void move(const State& x, const Vector& δ, State& out) const { out = x + δ; }
   bool conservative() const { return !skew; }
+  bool dead_loads() const { return !skew; }
   void multiply_skew(const State& x, const Vector& v, Vector& out) const {
     out.setZero(v.size());
     out.head(size) = skew(x.head(size)) * v.head(size);
@@ -65,6 +66,7 @@ struct ConstrainedProblem {
   void rounding(const State&, Vector& out) const {
     out.setConstant(size + constraints, 1e-15 * unit);
   }
+  double least_shift() const { return 1e-6; }
 
   /// The Hessian of f + λ·c in x.
   Dense primal(const Vector& x, const Vector& λ) const {
@@ -80,7 +82,7 @@ struct ConstrainedProblem {
   }
 };
 
-static_assert(Constrained<ConstrainedProblem>);
+static_assert(Problem<ConstrainedProblem>);
 
 /// ½ xᵀA x − b·x with C x = d.
 inline ConstrainedProblem quadratic_program(const Dense& A, const Vector& b, const Dense& C,

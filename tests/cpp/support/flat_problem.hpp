@@ -35,7 +35,16 @@ struct FlatProblem {
   }
   void move(const State& x, const Vector& δ, State& out) const { out = x + δ; }
   bool conservative() const { return !skew; }
+  bool dead_loads() const { return true; }  // as moments, which have no potential either
   void multiply_skew(const State& x, const Vector& v, Vector& out) const { out = skew(x) * v; }
+  void multiplier_sizes(const State&, Vector& out) const { out.setOnes(size); }
+  void rounding(const State&, Vector& out) const { out.setConstant(size, 1e-15); }
+  Vector weights() const { return Vector::Constant(size, 1. / size); }
+  Vector units() const { return Vector::Ones(size); }
+  Vector stiffness() const { return Vector::Ones(size); }
+  Vector softness() const { return Vector::Zero(size); }
+  double unit_energy() const { return 1; }
+  double least_shift() const { return 0; }
 };
 
 static_assert(Problem<FlatProblem>);

@@ -2,7 +2,7 @@
 /// \file Sparse matrices for tests.
 #pragma once
 
-#include <pyrod/sparse/block_pattern.hpp>
+#include <pyrod/sparse/block_symmetric.hpp>
 
 #include "support/dense.hpp"
 #include "support/random.hpp"
@@ -48,9 +48,16 @@ inline BlockPattern pattern_of(const std::vector<int>& sizes,
   return {sizes, couplings};
 }
 
+/// Of blocks of this size, each coupled to the one before it.
+inline BlockSymmetric chain_of(int size, int blocks) {
+  std::vector<std::vector<int>> above(1);
+  for (int J = 1; J < blocks; ++J) above.push_back({J - 1});
+  return BlockSymmetric(pattern_of(std::vector(std::size_t(blocks), size), above));
+}
+
 template <int B>
-BlockTridiagonal<B> random_chain(Random& random, int blocks) {
-  BlockTridiagonal<B> A(blocks);
+BlockSymmetric random_chain(Random& random, int blocks) {
+  BlockSymmetric A = chain_of(B, blocks);
   for (auto& value : A.values) value = random.number();
   return A;
 }

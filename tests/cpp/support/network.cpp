@@ -89,26 +89,44 @@ Network<Space> random_network(Random& random, const Acting& acting) {
 }
 
 template <class Space>
-NetworkResult<Space> solved(const Network<Space>& net, const NetworkOptions& more,
-                            const Options& options) {
+Solution<Space> solved(const Network<Space>& net, const NetworkOptions& more,
+                       const Options& options, const Trace& trace) {
+  const Posed<Space> posed(net);
   if constexpr (std::is_same_v<Space, Spatial>)  // which is compiled already
-    return run<Spatial>(net, {}, {}, options, more, {}).result;
+    return run<Spatial>(posed, {}, options, more, trace);
   else
-    return NetworkSolver<Space>(net, options, more, {}).solve();
+    return NetworkSolver<Space>(posed, options, more, trace).solve();
 }
 
 template <class Space>
-NetworkRun<Space> run_in(const Network<Spatial>& net, const Placement<Spatial>& at,
-                         const std::optional<NetworkStart>& start, const NetworkOptions& more) {
-  return run<Space>(net, at, start, {}, more, {});
+Solution<Space> solved_from(const Network<Space>& net,
+                            std::vector<typename Space::Rotation> frames) {
+  const Posed<Space> posed(net);
+  if constexpr (std::is_same_v<Space, Spatial>) {
+    return run<Spatial>(posed, NetworkStart{std::move(frames), {}, {}}, {}, {}, {});
+  } else {
+    require_frames(frames, posed.layout().edges(), "start");
+    auto start = Start<Space>(posed.layout()).state();
+    start.frames = std::move(frames);
+    const Trace untraced;
+    return NetworkSolver<Space>(posed, {}, {}, untraced).solve(std::move(start));
+  }
 }
 
-#define INSTANTIATE(Space)                                                              \
-  template Network<Space> random_network(Random&, const Acting&);                       \
-  template NetworkResult<Space> solved(const Network<Space>&, const NetworkOptions&,    \
-                                       const Options&);                                 \
-  template NetworkRun<Space> run_in(const Network<Spatial>&, const Placement<Spatial>&, \
-                                    const std::optional<NetworkStart>&, const NetworkOptions&);
+template <class Space>
+Solution<Spatial> run_in(const Network<Spatial>& net, const Placement<Spatial>& at,
+                         const std::optional<NetworkStart>& start, const NetworkOptions& more) {
+  return run<Space>(Posed<Space>(net, at), start, {}, more, {});
+}
+
+#define INSTANTIATE(Space)                                                                      \
+  template Network<Space> random_network(Random&, const Acting&);                               \
+  template Solution<Space> solved(const Network<Space>&, const NetworkOptions&, const Options&, \
+                                  const Trace&);                                                \
+  template Solution<Space> solved_from(const Network<Space>&, std::vector<Space::Rotation>);    \
+  template Solution<Spatial> run_in<Space>(const Network<Spatial>&, const Placement<Spatial>&,  \
+                                           const std::optional<NetworkStart>&,                  \
+                                           const NetworkOptions&);
 INSTANTIATE(Planar)
 INSTANTIATE(Spatial)
 #undef INSTANTIATE

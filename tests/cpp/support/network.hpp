@@ -4,7 +4,7 @@
 
 #include "support/random.hpp"
 
-#include <pyrod/statics/solving/network_run.hpp>
+#include <pyrod/statics/ladder/compiled.hpp>
 
 namespace pyrod::test {
 
@@ -94,24 +94,18 @@ template <class Space>
 Network<Space> random_network(Random& random, const Acting& acting);
 
 template <class Space>
-NetworkResult<Space> solved(const Network<Space>& net, const NetworkOptions& more = {},
-                            const Options& options = {});
+Solution<Space> solved(const Network<Space>& net, const NetworkOptions& more = {},
+                       const Options& options = {}, const Trace& trace = {});
+
+/// From frames of all edges, where nothing else is unknown.
+template <class Space>
+Solution<Space> solved_from(const Network<Space>& net,
+                            std::vector<typename Space::Rotation> frames);
 
 /// Planar or spatial, in space.
 template <class Space>
-NetworkRun<Space> run_in(const Network<Spatial>& net, const Placement<Spatial>& at = {},
+Solution<Spatial> run_in(const Network<Spatial>& net, const Placement<Spatial>& at = {},
                          const std::optional<NetworkStart>& start = {},
                          const NetworkOptions& more = {});
 
 }  // namespace pyrod::test
-
-// Compiled once, in pyrod::compiled.
-#define PYROD_TEST_RUN(Space)                                                                 \
-  extern template pyrod::NetworkRun<Space> pyrod::run<Space>(                                 \
-      const Network<Spatial>&, const Placement<Spatial>&, const std::optional<NetworkStart>&, \
-      const Options&, const NetworkOptions&, const Trace&);
-namespace pyrod {
-PYROD_TEST_RUN(Planar)
-PYROD_TEST_RUN(Spatial)
-}  // namespace pyrod
-#undef PYROD_TEST_RUN

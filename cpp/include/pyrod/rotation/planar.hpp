@@ -65,6 +65,12 @@ inline Vec1 inverse_cayley(Angle a) { return Vec1(std::tan(a.radians / 4)); }
 /// The same frame by the smaller turn, |angle| ≤ π.
 inline Angle principal(Angle a) { return {std::remainder(a.radians, 2 * std::numbers::pi)}; }
 
+/// The same frame as `a`, such that the turn from there to `b` is the smaller one.
+inline Angle nearest(Angle a, Angle b) {
+  constexpr double whole = 2 * std::numbers::pi;
+  return {a.radians + whole * std::round((b.radians - a.radians) / whole)};
+}
+
 /// Whether the turn is by half a turn at most, but for rounding.
 inline bool is_principal(Angle a) { return std::abs(a.radians) < std::numbers::pi + 1e-6; }
 

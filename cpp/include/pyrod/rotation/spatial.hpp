@@ -56,6 +56,11 @@ inline Quaternion principal(const Quaternion& p) {
   return p.w() < 0 ? Quaternion(-p.w(), -p.x(), -p.y(), -p.z()) : p;
 }
 
+/// The same frame as `p`, with the sign for which the turn from there to `q` is the smaller one.
+inline Quaternion nearest(const Quaternion& p, const Quaternion& q) {
+  return p.dot(q) < 0 ? Quaternion(-p.coeffs()) : p;
+}
+
 /// Whether the turn is by half a turn at most, but for rounding.
 inline bool is_principal(const Quaternion& p) { return p.w() > -5e-7; }
 

@@ -1,218 +1,304 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file Newton's method on a manifold. It knows no rods.
+/// \file Newton's method on a manifold, with or without constraints. It knows no rods.
 ///
 /// Far from a solution steps are made with the convex Hessian, near it with the exact one; the full
-/// step is tried first and nearly always taken (docs/theory.md, "The solver").
+/// step is tried first and nearly always taken (docs/theory.md, "The solver"). A step leads to a
+/// minimum on the constraints exactly if the matrix has one negative pivot for each multiplier; if
+/// it has not, the primal rows are shifted until it has. Progress is measured by the augmented
+/// Lagrangian with the new multipliers, which without any is the energy, or by the next simplified
+/// step.
 #pragma once
 
 #include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
+#include <pyrod/solve/anchor.hpp>
 #include <pyrod/solve/iteration.hpp>
+#include <pyrod/solve/mode.hpp>
+#include <pyrod/solve/multipliers.hpp>
 #include <pyrod/solve/options.hpp>
 #include <pyrod/solve/problem.hpp>
-#include <pyrod/solve/skew_solver.hpp>
+#include <pyrod/solve/result.hpp>
+#include <pyrod/solve/shifted_factor.hpp>
 #include <pyrod/solve/status.hpp>
-#include <pyrod/solve/workspace.hpp>
+#include <pyrod/solve/step_tests.hpp>
+#include <pyrod/solve/tangent.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
-#include <vector>
 
 namespace pyrod {
-
-template <class State>
-struct Result {
-  State state;
-  Status status = Status::out_of_iterations;
-  std::vector<Iteration> record;
-  double energy = 0, residual = 0;  ///< at `state`
-  int index =
-      -1;  ///< negative eigenvalues of the Hessian, once converged; −1: unknown, or no potential
-
-  int iterations() const { return int(record.size()); }
-  bool converged() const { return status == Status::converged; }
-};
 
 template <Problem P>
 class Newton {
  public:
   using State = typename P::State;
 
-  explicit Newton(const P& problem, Options options = {}, Trace trace = {})
+  /// `minimum`: whether steps must lead to minima; otherwise to any equilibrium.
+  explicit Newton(const P& problem, const Options& options = {}, Trace trace = {},
+                  bool minimum = true)
       : problem_(problem),
+        minimum_(minimum),
         options_(options),
         trace_(std::move(trace)),
-        workspace_(problem),
-        here_((*workspace_).here),
-        factor_((*workspace_).factor),
-        δ_((*workspace_).δ),
-        trial_((*workspace_).trial),
-        from_((*workspace_).from) {
+        tangent_(problem),
+        factor_(tangent_.factor()),
+        multipliers_(tangent_.multipliers()),
+        tests_(problem, multipliers_),
+        from_(tangent_.storage().from),
+        δ_(tangent_.storage().δ),
+        primal_(tangent_.storage().primal),
+        dual_(tangent_.storage().dual),
+        trial_(tangent_.storage().trial) {
     options_.check();
   }
-
   Newton(const Newton&) = delete;
   Newton& operator=(const Newton&) = delete;
 
-  /// `first`: the Hessian of the first step; exact when the start is known to be near.
-  Result<State> solve(State start, Hessian first = Hessian::convex) {
+  void set(const Options& options) { options_ = options; }
+
+  /// `first`: the Hessian of the first step; exact when the start is known to be near. `estimate`:
+  /// the multipliers of `start` mean nothing, and those that come nearest to balancing it are taken
+  /// first. `anchored`: see `Anchor`.
+  Result<State> solve(State start, Hessian first = Hessian::convex, bool estimate = false,
+                      bool anchored = false) {
     x_ = std::move(start);
     kind_ = first;
+    anchor_.drop(anchored, δ_.size());
     Result<State> result;
     result.record.reserve(usual_iterations);
-    problem_.linearise(x_, kind_, here_);
+    linearise();
+    if (estimate && tangent_.constrained()) estimate_multipliers();
     result.status = iterate(result);
+    result.energy = here().energy;
+    result.residual = tangent_.residual();
+    if (result.converged() && problem_.conservative())
+      result.index = tangent_.index(!has_shift(result.record.back()));
     result.state = std::move(x_);
-    result.energy = here_.energy;
-    result.residual = residual();
-    result.index = result.converged() && problem_.conservative() ? inertia_.negative : -1;
     return result;
   }
+
+  /// Lets what is asked below be of x instead of the state that was solved for last.
+  void look_at(const State& x) { tangent_.linearise(x, Hessian::exact); }
+  /// See `Tangent`.
+  Mode lowest_mode() { return tangent_.lowest_mode(); }
+  /// None where nothing is soft, for sure.
+  std::optional<Mode> soft_mode() { return tangent_.soft_mode(); }
+  const Vector& rounding_step(const State& x) { return tangent_.rounding_step(x); }
+  /// Entries of the factor over those of the matrix: the fill.
+  double fill() const { return factor_.fill(); }
 
  private:
   static constexpr std::size_t usual_iterations = 16;
 
+  const LinearisationOf<P>& here() const { return tangent_.here(); }
+  void linearise() { tangent_.linearise(x_, kind_); }
+  static double largest(const Vector& v) { return Tangent<P>::largest(v); }
+
+  /// Whether steps lead downhill on the constraints.
+  bool downhill() const { return problem_.conservative() && (minimum_ || factor_.index() == 0); }
+
+  void split_step() {
+    primal_ = δ_;
+    multipliers_.set(0, primal_);
+  }
+
+  /// The multipliers' part of a step that the gaps of the constraints do not ask for.
+  void estimate_multipliers() {
+    factor_.factorise(1);
+    if (factor_.broken()) return;
+    trial_ = -here().gradient;
+    multipliers_.set(0, trial_);
+    factor_.solve(trial_, δ_);
+    multipliers_.copy(δ_, dual_);
+    std::swap(x_, from_);
+    problem_.move(from_, dual_, x_);
+    linearise();
+  }
+
   Status iterate(Result<State>& result) {
-    if (!std::isfinite(here_.energy)) return Status::not_finite;
+    if (!std::isfinite(here().energy)) return Status::not_finite;
+    double before = std::numeric_limits<double>::infinity();  // the step
+    int reopened = 0;                                         // times that the last step left a gap
     while (result.iterations() < options_.max_iterations) {
-      Iteration now{kind_, here_.energy, residual(), 0, 1, 0, 0};
+      Iteration now{kind_, here().energy, tangent_.residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
-      const bool tiny = now.shift == 0 && now.step <= options_.tolerance;
-      const bool last = tiny && kind_ == Hessian::exact && accurate();
-      const bool found = search(now, tiny);
+      const bool exact = kind_ == Hessian::exact;
+      const bool small = !has_shift(now) && !anchor_.holds() && now.step <= options_.tolerance;
+      const bool tiny = exact && small && tangent_.met() && settled(now) &&
+                        tests_.accurate(here(), x_, δ_, tangent_.rounding(x_), trial_);
+      // where a mode is soft, steps still improve on a residual that could be rounding
+      const bool at_rounding = exact && rounded();
+      const bool last = tiny || (at_rounding && now.step > before / 2);
+      const bool found =
+          last && !tiny ? true
+                        : search(now, tiny || (small && !tangent_.constrained())) || at_rounding;
+      before = now.step;
+      if (now.fraction == 1) anchor_.weaken(now.step);
       result.record.push_back(now);
       const bool go_on = !trace_ || trace_(now);
+      if (last && (tests_.closed(here().gradient, tangent_.rounding(x_)) || reopened++ == 2))
+        return Status::converged;
       if (!found) return Status::stalled;
-      if (!std::isfinite(here_.energy)) return Status::not_finite;
-      if (last) return Status::converged;
+      if (!std::isfinite(here().energy)) return Status::not_finite;
       if (!go_on) return Status::interrupted;
     }
     return Status::out_of_iterations;
   }
 
-  double residual() const { return here_.gradient.template lpNorm<Eigen::Infinity>(); }
+  static bool has_shift(const Iteration& now) { return now.shift != 0; }
 
-  /// The largest component, NaN if there is one.
-  static double largest(const Vector& v) {
-    return v.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
-  }
-
-  /// δ from the present linearisation: the Newton step, or a shifted one where the Hessian is no
-  /// guide. False if numbers fail.
+  /// δ, of which the primal part may be cut and the multipliers are always taken whole. False if
+  /// numbers fail.
   bool find_step(Iteration& now) {
-    factorise(0, now);
-    if (trusted(now)) {
-      if (kind_ == Hessian::exact && !problem_.conservative()) {
-        correct_skew();
-        now.step = largest(δ_);
-      }
-      if (trusted(now)) return true;
-    }
-    double σ = 0.3 * residual() / options_.trust;
-    for (int i = 0; i < 60 && std::isfinite(σ); ++i, σ *= 3) {
+    factorise(anchor_.weight(), now);
+    now.shift = 0;
+    const bool potential = problem_.conservative();
+    if (std::isfinite(now.step) && kind_ == Hessian::exact &&
+        (!potential || falls_short(now.step <= options_.tolerance)))
+      correct_step(now);
+    if (usable(now) && (!potential || !minimum_ || factor_.index() == 0 ||
+                        now.step <= options_.tolerance || rounded()))
+      return true;
+    double σ = first_shift();
+    const double growth = tangent_.constrained() ? 4 : 3;
+    for (int i = 0; i < 40 && std::isfinite(σ); ++i, σ *= growth) {
       factorise(σ, now);
-      if (trusted(now) && inertia_.negative == 0) return true;
+      if (usable(now) && factor_.index() == 0) return true;
     }
     return false;
   }
 
-  /// δ = −(H + σI)⁻¹ g.
+  /// A step that is not too long for what the exact Hessian can tell. A shift makes it shorter;
+  /// where constraints hold, which a shift would leave open, or the Hessian tells a part only, it
+  /// is cut instead.
+  bool usable(const Iteration& now) const {
+    const bool cut = tangent_.constrained() || !problem_.conservative() || kind_ == Hessian::convex;
+    return std::isfinite(now.step) && (cut || now.step <= options_.trust);
+  }
+
+  /// Of the stiffness; without constraints such that by itself it lets no step be much too long.
+  double first_shift() const {
+    if (tangent_.constrained()) return 1e-3;
+    return 0.3 * largest(here().gradient.cwiseQuotient(factor_.stiffness())) / options_.trust;
+  }
+
+  bool falls_short(bool last) {
+    return tests_.falls_short(factor_, δ_, last ? &tangent_.rounding(x_) : nullptr);
+  }
+
+  /// The step that leaves none of the gaps open.
+  void correct_step(Iteration& now) {
+    if (problem_.conservative())
+      trial_ = -pull(), factor_.correct(trial_, δ_);
+    else
+      tangent_.correct(x_, δ_);
+    split_step();
+    now.step = δ_.allFinite() ? largest(primal_) : std::numeric_limits<double>::infinity();
+  }
+
+  /// δ = −(K + σ U)⁻¹ g, U the stiffness.
   void factorise(double σ, Iteration& now) {
-    inertia_ = factor_.factorise(σ);
+    factor_.factorise(σ);
     ++now.factorisations;
-    now.shift = σ;
+    now.shift = σ * problem_.unit_energy();
     now.step = std::numeric_limits<double>::infinity();
-    if (inertia_.broken > 0) return;
-    factor_.solve(here_.gradient, δ_);
+    if (factor_.broken()) return;
+    factor_.solve(pull(), δ_);
     δ_ = -δ_;
-    now.step = largest(δ_);
+    split_step();
+    if (δ_.allFinite()) now.step = largest(primal_);
   }
 
-  /// A step below the tolerance is taken whatever the inertia: the state is an equilibrium already.
-  /// Without a potential the inertia of the symmetric part decides nothing.
-  bool trusted(const Iteration& now) const {
-    if (!std::isfinite(now.step)) return false;
-    if (kind_ == Hessian::convex || now.step <= options_.tolerance) return true;
-    return now.step <= options_.trust && (inertia_.negative == 0 || !problem_.conservative());
-  }
+  const Vector& pull() { return anchor_.pull(here().gradient, factor_.stiffness()); }
 
-  void correct_skew() {
-    SkewCorrected(
-        factor_, [this](const Vector& v, Vector& w) { problem_.multiply_skew(x_, v, w); },
-        δ_.size())
-        .correct(δ_);
-  }
+  bool rounded() { return tests_.rounded(here().gradient, tangent_.rounding(x_)); }
 
-  /// Whether δ solves its linear system, unless the forces are nothing beside what the Hessian
-  /// makes of the tolerance: a factor without pivoting can be wrong without a word.
-  bool accurate() {
-    here_.hessian.multiply(δ_, trial_);
-    trial_ += here_.gradient;
-    if (!problem_.conservative()) {
-      Vector skew(δ_.size());
-      problem_.multiply_skew(x_, δ_, skew);
-      trial_ += skew;
-    }
-    const double error = largest(trial_), bound = 1e-3 * residual();
-    if (error <= bound) return true;
-    const Eigen::Map<const Vector> H(here_.hessian.values.data(),
-                                     Eigen::Index(here_.hessian.values.size()));
-    return error <= bound + 1e-16 * options_.tolerance * H.template lpNorm<Eigen::Infinity>();
+  bool settled(const Iteration& now) {
+    return now.step <= 1e-3 * options_.tolerance || tests_.settled(δ_, tangent_.sizes());
   }
 
   /// Full step first, then ever smaller ones until one is acceptable; a `tiny` one, which may
   /// change the energy by less than rounding does, needs no test. If none is, the state stays where
   /// it was.
   bool search(Iteration& now, bool tiny) {
-    const double energy = here_.energy, magnitude = here_.magnitude;
-    const double slope = here_.gradient.dot(δ_);
+    const Merit before =
+        downhill() && !tiny ? tests_.merit(here(), δ_, primal_, dual_, trial_) : Merit{0, 0, 0};
+    const double magnitude = here().magnitude;
+    const double length = primal_.norm(), slope = here().gradient.dot(δ_);
+    anchor_.leave();
     std::swap(x_, from_);
-    for (now.fraction = 1; now.fraction > 1e-8;) {
+    now.fraction = kind_ == Hessian::exact ? std::min(1., options_.trust / now.step) : 1;
+    double rise = 0;
+    for (; now.fraction > 1e-6; now.fraction *= shrink(rise, before.slope, now.fraction)) {
+      rise = std::numeric_limits<double>::infinity();
       if (tiny || now.fraction * now.step < options_.near) kind_ = Hessian::exact;
-      if (now.fraction < 1) trial_ = now.fraction * δ_;
-      problem_.move(from_, now.fraction < 1 ? trial_ : δ_, x_);
-      problem_.linearise(x_, kind_, here_);
-      const double rounding = 1e-13 * (magnitude + here_.magnitude);
-      const double goal = energy + 1e-4 * now.fraction * slope + rounding;
+      trial_ = now.fraction * primal_;
+      multipliers_.copy(δ_, trial_);
+      problem_.move(from_, trial_, x_);
+      linearise();
+      anchor_.reach(now.fraction, primal_);
       if (tiny) return true;
-      if (problem_.conservative() ? here_.energy <= goal : progress(slope, now.fraction))
+      if (!std::isfinite(here().energy)) continue;
+      const double rounding = 1e-13 * (magnitude + here().magnitude);
+      const double value = here().energy + before.ν / 2 * tangent_.gap();
+      if (downhill() && value <= before.value + 1e-4 * now.fraction * before.slope + rounding)
         return true;
-      now.fraction *= shrink(here_.energy - energy, slope, now.fraction);
+      if (improves(now, length, slope)) return true;
+      rise = value - before.value;
     }
     std::swap(x_, from_);
-    problem_.linearise(x_, kind_, here_);
+    linearise();
+    anchor_.go_back();
     return false;
   }
 
-  /// Without a potential: the forces' work along the step must not grow, or the Newton step at the
-  /// new state, measured with the old tangent, must be shorter.
-  bool progress(double slope, double fraction) {
-    if (!here_.gradient.allFinite()) return false;
-    if (here_.gradient.dot(δ_) <= 0.9 * std::abs(slope)) return true;
-    factor_.solve(here_.gradient, trial_);
-    return trial_.norm() <= (1 - fraction / 4) * δ_.norm();
+  /// Where the parabola through the two values and the slope has its minimum, within bounds.
+  double shrink(double rise, double slope, double fraction) const {
+    if (!downhill() || !std::isfinite(rise)) return 0.5;
+    const double minimum = -slope * fraction / (2 * (rise - slope * fraction));
+    return std::clamp(minimum, tangent_.constrained() ? 0.3 : 0.1, 0.5);
   }
 
-  /// Where the parabola through the two energies and the slope has its minimum, within bounds.
-  double shrink(double rise, double slope, double fraction) const {
-    if (!problem_.conservative() || !std::isfinite(rise)) return 0.5;
-    const double minimum = -slope * fraction / (2 * (rise - slope * fraction));
-    return std::clamp(minimum, 0.1, 0.5);
+  /// Where no potential tells, or rounding hides what it would. `length`: of the step; `slope`: the
+  /// work of the forces along it, which need not grow if they are dead.
+  bool improves(const Iteration& now, double length, double slope) {
+    const bool free = !tangent_.constrained();
+    if (free && downhill()) return false;  // the energy tells all
+    if (free && problem_.dead_loads())
+      return here().gradient.dot(δ_) <= 0.9 * std::abs(slope) || contracts(now, length);
+    return !has_shift(now) && (contracts(now, length) || settles(now));
+  }
+
+  /// A small step that halves the residual: where a mode is so soft that rounding moves the state
+  /// along it, steps do not tell.
+  bool settles(const Iteration& now) const {
+    return now.fraction * now.step < 1e-2 && tangent_.residual() <= now.residual / 2;
+  }
+
+  /// The Newton step at the new state, measured with the old matrix, is shorter.
+  bool contracts(const Iteration& now, double length) {
+    if (!here().gradient.allFinite()) return false;
+    factor_.solve(pull(), trial_);
+    if (now.kind == Hessian::exact && !problem_.conservative()) tangent_.correct(from_, trial_);
+    multipliers_.set(0, trial_);
+    return trial_.norm() <= (1 - now.fraction / 4) * length;
   }
 
   const P& problem_;
+  bool minimum_;
   Options options_;
   Trace trace_;
-  Leased<P, Workspace<LinearisationOf<P>, State>> workspace_;
-  LinearisationOf<P>& here_;
-  Ldlt& factor_;
-  Vector &δ_, &trial_;
+  Tangent<P> tangent_;
+  ShiftedFactor& factor_;
+  const Multipliers& multipliers_;
+  StepTests<P> tests_;
   State x_, &from_;
-  Inertia inertia_;
+  Vector &δ_, &primal_, &dual_, &trial_;  ///< see `Workspace`
+  Anchor anchor_;
   Hessian kind_ = Hessian::convex;
 };
 

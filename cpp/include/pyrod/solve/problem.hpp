@@ -26,6 +26,9 @@ struct Linearisation {
 template <class P>
 using LinearisationOf = decltype(std::declval<const P&>().linearisation());
 
+/// Where constraints hold, the gradient and the Hessian have a row for each of their multipliers:
+/// stationary points are saddles in these. What is told of rows is storage of the problem, made
+/// once.
 template <class P>
 concept Problem = requires(const P p, const typename P::State x, typename P::State y,
                            LinearisationOf<P> at_x, const Vector v, Vector w) {
@@ -33,19 +36,16 @@ concept Problem = requires(const P p, const typename P::State x, typename P::Sta
   { p.linearise(x, Hessian::exact, at_x) };    // energy, gradient and Hessian in one pass
   { p.move(x, v, y) };                         // y = x moved by the increments v
   { p.conservative() } -> std::same_as<bool>;  // whether the energy is a potential of all forces
+  { p.dead_loads() } -> std::same_as<bool>;    // whether no force depends on the state
   { p.multiply_skew(x, v, w) };                // w = (tangent − symmetric part) v
-};
-
-/// A problem with constraints: its stationary points are saddles in the rows of the multipliers.
-template <class P>
-concept Constrained = Problem<P> && requires(const P p, const typename P::State x, Vector v) {
-  { p.multiplier_sizes(x, v) };                    // v: 1 and more, multipliers over their units
-  { p.rounding(x, v) };                            // v: what rounding alone leaves of the gradient
-  { p.weights() } -> std::convertible_to<Vector>;  // of the primal rows; multipliers: zero
-  { p.units() } -> std::convertible_to<Vector>;    // energies that the rows are measured by
+  { p.multiplier_sizes(x, w) };                // w: 1 and more, multipliers over their units
+  { p.rounding(x, w) };                        // w: what rounding alone leaves of the gradient
+  { p.weights() } -> std::convertible_to<Vector>;      // of the primal rows; multipliers: zero
+  { p.units() } -> std::convertible_to<Vector>;        // energies that the rows are measured by
   { p.stiffness() } -> std::convertible_to<Vector>;    // of the primal rows, in their own units
   { p.softness() } -> std::convertible_to<Vector>;     // least give of the multipliers' rows
   { p.unit_energy() } -> std::convertible_to<double>;  // the scale of the whole
+  { p.least_shift() } -> std::convertible_to<double>;  // of the stiffness: see `ShiftedFactor`
 };
 
 }  // namespace pyrod

@@ -3,9 +3,10 @@
 /// nothing were added to the multipliers' rows. It knows no rods.
 ///
 /// LDLᵀ without pivoting breaks where a part turns freely (a primal row), or where nothing gives
-/// way to a multiplier. So there is always a shift, far below what matters. What it gives the
-/// multipliers' rows, D, is no small thing where the true give is smaller still; what it leaves of
-/// K x = b, namely D x, is known without any work, and is taken away where it counts.
+/// way to a multiplier. Where that may be, or has been, there is always a shift, far below what
+/// matters. What it gives the multipliers' rows, D, is no small thing where the true give is
+/// smaller still; what it leaves of K x = b, namely D x, is known without any work, and is taken
+/// away where it counts.
 #pragma once
 
 #include <pyrod/core/types.hpp>
@@ -24,12 +25,12 @@ namespace pyrod {
 
 class ShiftedFactor {
  public:
-  static constexpr double always = 1e-6;  ///< of the stiffness of the primal rows
-
-  /// `K` must stay where it is. `stiffness`: of the primal rows; multipliers have none.
-  ShiftedFactor(SymmetricMatrix& K, Vector stiffness, const Vector& units)
+  /// `K` must stay where it is. `stiffness`: of the primal rows; multipliers have none. `always`:
+  /// the part of it that is added in any case.
+  ShiftedFactor(SymmetricMatrix& K, Vector stiffness, const Vector& units, double always = least_)
       : K_(K),
         stiffness_(std::move(stiffness)),
+        always_(always),
         multipliers_(K, stiffness_, units),
         factor_(K),
         soft_(Vector::Zero(stiffness_.size())) {}
@@ -39,8 +40,9 @@ class ShiftedFactor {
   const Multipliers& multipliers() const { return multipliers_; }
 
   /// Another matrix of the same pattern, with the same multipliers, is in the place of K.
-  void reuse(const Vector& stiffness, const Vector& units) {
+  void reuse(const Vector& stiffness, const Vector& units, double always) {
     stiffness_ = stiffness;
+    always_ = always;
     multipliers_.renew(units);
     factorised_.reset();
   }
@@ -54,14 +56,17 @@ class ShiftedFactor {
   /// Factorises K + (σ + always) diag(stiffness) + D.
   void factorise(double σ) {
     if (factorised_ == σ) return;
-    factorise(σ, stiffness_);
+    if (σ != 0 || adds() || !as_it_is()) factorise(σ, stiffness_);
     factorised_ = σ;
   }
+
+  /// Whether something is always added.
+  bool adds() const { return always_ > 0 || multipliers_.count() > 0; }
 
   /// Factorises K + λ diag(weights) + always diag(stiffness) + D.
   void factorise(double λ, const Vector& weights) {
     factorised_.reset();
-    added_ = λ * weights + always * stiffness_;
+    added_ = λ * weights + always_ * stiffness_;
     shift_ = added_ + soft_;
     inertia_ = factor_.factorise(K_, shift_);
   }
@@ -69,6 +74,8 @@ class ShiftedFactor {
   /// Negative eigenvalues on the constraints of what is factorised.
   int index() const { return inertia_.negative - multipliers_.count(); }
   bool broken() const { return inertia_.broken > 0; }
+  /// Whether the factor, of K alone, shows no mode without stiffness, or with next to none.
+  bool stiff() const { return !adds() && inertia_.least > 0.1 * stiffness_.sum(); }
 
   void solve(const Vector& b, Vector& x) { factor_.solve(b, x); }
 
@@ -102,6 +109,18 @@ class ShiftedFactor {
   double fill() const { return double(factor_.factor_entries()) / double(K_.rows.size()); }
 
  private:
+  static constexpr double least_ = 1e-6;  ///< of the stiffness: what is added where K alone breaks
+
+  static constexpr double thin_ = 1e-8;  ///< of all the stiffness: where a pivot may be rounding
+
+  /// Factorises K alone, if that can be.
+  bool as_it_is() {
+    inertia_ = factor_.factorise();
+    if (!broken() && inertia_.least > thin_ * stiffness_.sum()) return true;
+    always_ = least_;
+    return false;
+  }
+
   /// Whether the residuals of K fell fast.
   bool refined(const Vector& b, Vector& x) {
     const auto size = [](const Vector& v) { return v.template lpNorm<Eigen::Infinity>(); };
@@ -122,6 +141,7 @@ class ShiftedFactor {
 
   SymmetricMatrix& K_;
   Vector stiffness_;
+  double always_;
   Multipliers multipliers_;
   Ldlt factor_;
   Inertia inertia_;

@@ -5,7 +5,7 @@
 #include <pyrod/core/pool.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/solve/problem.hpp>
-#include <pyrod/sparse/ldlt.hpp>
+#include <pyrod/solve/shifted_factor.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -23,30 +23,43 @@ concept Shaped = requires(const P p, const LinearisationOf<P> made) {
 template <class Storage, class State>
 struct Workspace {
   Storage here;
-  Ldlt factor;
-  Vector δ, trial;
+  ShiftedFactor factor;
   State from;
+  Vector δ, primal, dual;  ///< the step, without the multipliers, and of these alone
+  Vector trial;
+  Vector sizes, rounding;  ///< of the multipliers; of the gradient
 
   template <class P>
   explicit Workspace(const P& problem)
       : here(problem.linearisation()),
-        factor(here.hessian),
+        factor(here.hessian, problem.stiffness(), problem.units(), problem.least_shift()),
         δ(here.gradient.size()),
-        trial(here.gradient.size()) {}
+        primal(δ.size()),
+        dual(δ.size()),
+        trial(δ.size()),
+        sizes(δ.size()),
+        rounding(δ.size()) {
+    renew(problem);
+  }
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
   template <class P>
   bool fits(const P& problem) const {
-    return problem.fits(here);
+    return problem.fits(here) && factor.multipliers().are(problem.stiffness());
   }
+
+  /// Nothing is left of the solve before.
   template <class P>
-  void renew(const P&) {}
+  void renew(const P& problem) {
+    factor.reuse(problem.stiffness(), problem.units(), problem.least_shift());
+    δ.setZero(), primal.setZero(), dual.setZero(), trial.setZero();
+    sizes.setOnes(), rounding.setZero();
+  }
 
   std::size_t bytes() const {
-    const auto vectors = std::size_t(here.gradient.size() + δ.size() + trial.size());
-    return factor.bytes() + here.hessian.bytes() + vectors * sizeof(double) +
-           from.capacity() * sizeof(from[0]);
+    const auto vectors = std::size_t(7 * δ.size()) * sizeof(double);
+    return factor.bytes() + here.hessian.bytes() + vectors + from.bytes();
   }
 };
 

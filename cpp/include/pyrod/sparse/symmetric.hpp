@@ -2,9 +2,7 @@
 /// \file Sparse symmetric matrices: the upper triangle, column by column.
 #pragma once
 
-#include <pyrod/core/pack.hpp>
 #include <pyrod/core/types.hpp>
-#include <pyrod/sparse/chain_columns.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -50,34 +48,6 @@ struct SymmetricMatrix {
     }
     out[k] += sum + values[starts[k + 1] - 1] * x[k];
   }
-};
-
-/// A chain of B × B blocks, each coupled to the one before it. Numbered along the chain its
-/// factor has no fill.
-template <int B>
-class BlockTridiagonal : public SymmetricMatrix {
- public:
-  explicit BlockTridiagonal(int blocks) {
-    starts.reserve(B * blocks + 1);
-    rows.reserve(first_ + (blocks - 1) * step_);
-    for (int j = 0; j < blocks; ++j) {
-      for (int k = 0; k < B; ++k) {
-        for (int i = (j == 0 ? 0 : -B); i <= k; ++i) rows.push_back(B * j + i);
-        starts.push_back(int(rows.size()));
-      }
-    }
-    values.assign(rows.size(), 0);
-  }
-
-  /// Where its blocks are.
-  ChainColumns<B> chain() {
-    const int blocks = size() / B;
-    const auto column = [this](int j) { return values.data() + starts[B * j]; };
-    return {blocks, {column(0), 0}, column(blocks > 1), {column(blocks - 1), blocks > 1 ? B : 0}};
-  }
-
- private:
-  static constexpr std::ptrdiff_t first_ = B * (B + 1) / 2, step_ = first_ + B * B;
 };
 
 }  // namespace pyrod

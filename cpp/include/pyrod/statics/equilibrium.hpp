@@ -12,7 +12,7 @@
 #include <pyrod/statics/solution/quantity.hpp>
 #include <pyrod/statics/solution/reached.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
-#include <pyrod/statics/solution/scene_solution.hpp>
+#include <pyrod/statics/solution/solution.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,7 +53,7 @@ struct Doubt {
 
 /// Everything there is to know; values like any other.
 struct Equilibrium {
-  SceneSolution found;
+  Solution<Spatial> found;
   std::vector<Reaction> reactions;        ///< of the supports, in their order
   std::vector<Vec3> held;                 ///< the points that they hold
   std::vector<Rod<Spatial>> made;         ///< the rods as they were solved

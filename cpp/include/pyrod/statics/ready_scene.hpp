@@ -4,31 +4,22 @@
 #pragma once
 
 #include <pyrod/core/types.hpp>
-#include <pyrod/curve/grid.hpp>
+#include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/scene_breaks.hpp>
 #include <pyrod/scene/scene_network.hpp>
-#include <pyrod/scene/supports.hpp>
-#include <pyrod/statics/ladder/ready_ladder.hpp>
+#include <pyrod/scene/scene_on_grids.hpp>
+#include <pyrod/statics/solving/posed.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <utility>
-#include <variant>
 
 namespace pyrod {
-
-/// One rod, clamped at its start and free at its end, under loads that do not follow it.
-inline bool is_cantilever(const Scene& scene) {
-  if (scene.rods.size() != 1 || !scene.joints.empty() || scene.supports.size() != 1) return false;
-  const auto* clamp = std::get_if<Clamp>(&scene.supports[0]);
-  return clamp && clamp->turns == 0 && clamp->at.rod == 0 && !scene.has_followers() &&
-         clamp->at.on(Grid(scene.rods[0].edge_lengths)) == 0;
-}
 
 class ReadyScene {
  public:
@@ -49,30 +40,23 @@ class ReadyScene {
     return sum;
   }
 
-  /// The network on a level of a climb. Those that are not large are kept.
-  std::shared_ptr<const SceneNetwork> network_on(int level) const {
-    if (level == 0) return {std::shared_ptr<void>(), &network_};
+  /// The network on a level of a climb.
+  SceneNetwork network_on(int level) const {
+    return level == 0 ? network_ : network_of(SceneOnGrids(scene(), level));
+  }
+
+  /// The same, posed; in the space of the scene. Those that are not large are kept.
+  template <class Space>
+  std::shared_ptr<const Posed<Space>> posed(int level = 0) const {
     const std::lock_guard lock(busy_);
-    auto& kept = levels_[level];
+    auto& kept = std::get<Levels<Space>>(levels_)[level];
     if (kept) return kept;
-    const auto made =
-        std::make_shared<const SceneNetwork>(network_of(SceneOnGrids(scene(), level)));
-    if ((edges() << level) <= most_kept_) kept = made;
+    const auto made = pose<Space>(level);
+    if (level == 0 || (edges() << level) <= most_kept_) kept = made;
     return made;
   }
 
-  /// The ladder by one of the ways to solve it; `make`: its levels, if it is not there yet.
-  template <class Make>
-  ReadyLadder& ladder(bool cantilever, const Make& make) const {
-    const std::lock_guard lock(busy_);
-    auto& ladder = ladders_[cantilever];
-    if (!ladder) ladder = std::make_unique<ReadyLadder>(network_.network.rods, make(), corners());
-    return *ladder;
-  }
-
- private:
-  static constexpr int most_kept_ = 1 << 14;  ///< edges
-
+  /// Whether rods have corners, see `LadderScene`.
   bool corners() const {
     for (std::size_t i = 0; i < scene().rods.size(); ++i)
       if (scene().rods[i].corners &&
@@ -81,11 +65,23 @@ class ReadyScene {
     return false;
   }
 
+ private:
+  static constexpr int most_kept_ = 1 << 14;  ///< edges
+
+  template <class Space>
+  using Levels = std::map<int, std::shared_ptr<const Posed<Space>>>;
+
+  template <class Space>
+  std::shared_ptr<const Posed<Space>> pose(int level) const {
+    if (level == 0) return std::make_shared<const Posed<Space>>(network_.network, network_.plane);
+    const auto on = network_on(level);
+    return std::make_shared<const Posed<Space>>(on.network, on.plane);
+  }
+
   SceneOnGrids grid_;
   SceneNetwork network_;
   Smoothness smooth_;
-  mutable std::map<int, std::shared_ptr<const SceneNetwork>> levels_;
-  mutable std::array<std::unique_ptr<ReadyLadder>, 2> ladders_;
+  mutable std::tuple<Levels<Planar>, Levels<Spatial>> levels_;
   mutable std::mutex busy_;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file How a scene is solved: as a cantilever or as a network, on its edges or to a tolerance.
+/// \file How a scene is solved: on its edges or to a tolerance.
 #pragma once
 
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/statics/doubts.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/known_start.hpp>
-#include <pyrod/statics/ladder/level.hpp>
+#include <pyrod/statics/ladder/climb.hpp>
 #include <pyrod/statics/ready_scene.hpp>
 #include <pyrod/statics/solver.hpp>
 
@@ -26,98 +26,48 @@ class SceneSolve {
       : ready_(ready), settings_(settings), tol_(tol) {}
 
   Equilibrium solve(const Start& start) const {
-    const bool plain = is_cantilever(scene()) && settings_.stable && !settings_.eigenvalue;
-    auto out = found(plain, start);
-    if (!plain || out.found.index <= 0) return out;
-    NetworkStart from;  // a saddle can be left as a network only
-    from.frames = out.rod().curve.frames;
-    return found(false, from);
-  }
-
- private:
-  const Scene& scene() const { return ready_.scene(); }
-  const SceneNetwork& network() const { return ready_.network(); }
-  const Rod<Spatial>& rod() const { return network().network.rods[0]; }
-
-  Equilibrium found(bool cantilever, const Start& start) const {
     if (start) require_frames(start->frames, ready_.edges(), "start");
     Equilibrium out;
     out.made = network().network.rods;
-    if (tol_)
-      climb(cantilever, start, out);
-    else
-      out.found = cantilever ? as_cantilever(start) : as_network(start);
-    react(out, cantilever);
+    in_space(scene().space, [&]<class Space>(Space) {
+      if (tol_)
+        climb<Space>(start, out);
+      else
+        out.found = run<Space>(*ready_.template posed<Space>(), start, settings_.options, more(),
+                               settings_.trace);
+    });
+    react(out);
     refuse_drift(out);
     out.doubts = doubts_of(out, settings_.stable);
     return out;
   }
 
-  void climb(bool cantilever, const Start& start, Equilibrium& out) const {
-    auto& ladder = ready_.ladder(cantilever, [&] { return level(cantilever); });
-    auto climbed =
-        ladder.climb(start, settings_.options, more(), *tol_, settings_.trace, settings_.progress);
+ private:
+  const Scene& scene() const { return ready_.scene(); }
+  const SceneNetwork& network() const { return ready_.network(); }
+
+  template <class Space>
+  void climb(const Start& start, Equilibrium& out) const {
+    const auto levels = [this](int level) { return ready_.template posed<Space>(level); };
+    auto climbed = pyrod::climb<Space>(
+        levels, out.made, ready_.corners(), start,
+        {*tol_, settings_.options, more(), settings_.trace, settings_.progress});
     out.found = std::move(climbed.solution);
     const auto& [unresolved, reason] = ready_.smoothness();
     out.accuracy = Accuracy{*tol_, climbed.reached, reason, unresolved};
-    if (!cantilever) return;  // its reactions are told by the forces and moments at the clamp
-    auto& errors = out.accuracy->reached.errors;
-    for (const auto& [told, by] : {std::pair(Quantity::reactions, Quantity::forces),
-                                   std::pair(Quantity::reaction_moments, Quantity::moments)})
-      errors[std::size_t(told)] = errors[std::size_t(by)];
   }
 
   NetworkOptions more() const {
     return {.stable = settings_.stable, .eigenvalue = settings_.eigenvalue};
   }
 
-  SceneSolution as_cantilever(const Start& start) const {
-    const auto frames = start ? start->frames : std::vector<Quaternion>{};
-    return in_space(scene().space, [&]<class Space>(Space) {
-      return scene_solution(pyrod::solve<Space>(rod(), network().plane, ready_.grid().loads(0),
-                                                frames, settings_.options, settings_.trace),
-                            rod().edges() * Space::spin);
-    });
-  }
-
-  SceneSolution as_network(const Start& start) const {
-    return in_space(scene().space, [&]<class Space>(Space) {
-      return scene_solution(run<Space>(network().network, network().plane, start, settings_.options,
-                                       more(), settings_.trace));
-    });
-  }
-
-  /// The levels know the scene that is ready, and nothing of this solve.
-  Level level(bool cantilever) const {
-    return in_space(scene().space, [&]<class Space>(Space) -> Level {
-      if (!cantilever)
-        return network_level<Space>([&ready = ready_](int level) -> PlacedNetwork {
-          const auto on = ready.network_on(level);
-          return {on->network, on->plane};
-        });
-      return cantilever_level<Space>(
-          [&ready = ready_](int level) -> LoadedRod {
-            const auto on = ready.network_on(level);
-            return {on->network.rods[0], on->network.loads[0]};
-          },
-          network().plane);
-    });
-  }
-
-  /// A cantilever's reaction is what is missing to the balance at its clamp.
-  void react(Equilibrium& out, bool cantilever) const {
+  void react(Equilibrium& out) const {
     for (std::size_t i = 0; i < scene().supports.size(); ++i) {
       const auto& at = place_of(scene().supports[i]);
-      const auto& found = out.found.rods[std::size_t(at.rod)];
-      out.held.push_back(found.curve.positions[std::size_t(ready_.grid().vertex(at))]);
-      if (!cantilever) {
-        const auto& node = out.found.nodes[std::size_t(network().support_nodes[i])];
-        out.reactions.push_back({node.reaction_force, node.reaction_moment});
-        continue;
-      }
-      Vec3 sum = Vec3::Zero();
-      for (const auto& F : found.load) sum += F;
-      out.reactions.push_back({-sum, -found.moment[0] - ready_.grid().loads(0).start_moment});
+      const auto& rod = out.found.rods[std::size_t(at.rod)];
+      out.held.push_back(rod.curve.positions[std::size_t(ready_.grid().vertex(at))]);
+      const auto& node = out.found.nodes[std::size_t(network().support_nodes[i])];
+      out.reactions.push_back({node.reaction_force, node.reaction_moment});
     }
   }
 

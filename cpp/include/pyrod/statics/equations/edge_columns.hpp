@@ -34,8 +34,8 @@ EdgeColumns<Space> edge_columns(const Rod<Space>& rod) {
           Columns<dim>(n, [&](int j) { return compliance(rod.stretching[j]); })};
 }
 
-/// Of the rods of a network. The vertices at which spans start are not among those inside spans:
-/// nothing is stiff there.
+/// Of the rods of a network. Of the vertices at which spans start, those are stiff that are
+/// clamped: by the half of their cell behind them.
 template <class Space>
 EdgeColumns<Space> edge_columns(const Layout<Space>& layout) {
   using Turn = Spin<Space>;
@@ -52,6 +52,12 @@ EdgeColumns<Space> edge_columns(const Layout<Space>& layout) {
       stiffness[e] = rod.bending[j] / rod.grid.Δs(j);
       rest[e] = rod.grid.Δs(j) * rod.K0[j];
     }
+    if (!layout.clamp_of(span)) continue;
+    const auto sides = rod.sides(span.first);
+    const int e = layout.edge(span.rod, span.first);
+    const double half = rod.grid.h(span.first) / 2;
+    stiffness[e] = sides.bending_behind / half;
+    rest[e] = half * sides.K0_behind;
   }
   const auto of = [](const auto& list) { return [&list](int e) { return list[e]; }; };
   const int n = layout.edges();

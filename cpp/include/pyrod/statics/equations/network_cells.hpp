@@ -28,6 +28,7 @@ class NetworkCells {
   explicit NetworkCells(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {}
 
   /// The cells at an attached vertex: one from edge to edge, or two halves that meet in the node.
+  /// The half behind a clamp is in the rows of its span.
   template <Hessian kind>
   void add(const State& x, const Attachment<Space>& a, Storage& out) const {
     const auto& rod = net_.rods[a.rod];
@@ -37,7 +38,7 @@ class NetworkCells {
     const int behind = a.vertex < n ? a.vertex : -1;
     if (a.rigid) {
       if (before >= 0) add_half<kind>(x, a, before, true, out);
-      if (behind >= 0) add_half<kind>(x, a, behind, false, out);
+      if (behind >= 0 && !layout_.clamps(a)) add_half<kind>(x, a, behind, false, out);
     } else if (before >= 0 && behind >= 0) {
       add_turn<kind>(x, layout_.edge(a.rod, before), layout_.edge(a.rod, behind), rod, a.vertex,
                      rod.grid.Δs(a.vertex), out);

@@ -32,12 +32,13 @@ class NetworkLoads {
       moments_ = moments_ || !node.moment.isZero(0);
       follows_ = follows_ || !node.follower_moment.isZero(0);
     }
-    load(1);
+    load(1, 1);
   }
 
   /// Lets only a part of all loads act.
-  void load(double part) {
-    part_ = part;
+  void load(double forces, double moments) {
+    const double part = part_ = forces;
+    moments_part_ = moments;
     dead_.vertices = layout_.known().dead_forces();
     for (auto& rod : dead_.vertices)
       for (auto& F : rod) F *= part;
@@ -47,22 +48,6 @@ class NetworkLoads {
   }
 
   bool conservative() const { return !follows_ && (spin == 1 || !moments_); }
-
-  /// What acts, and what it makes of the section forces.
-  struct Forces {
-    VertexForces<Space> vertices;
-    std::vector<Point<Space>> nodes, sections;  ///< sections: n on every edge
-  };
-
-  Forces forces(const State& x) const {
-    Acting changed;
-    const Acting& now = acting(x, changed);
-    Forces out{now.vertices, now.nodes, now.told};
-    for (int p = 0; p < int(layout_.spans().size()); ++p)
-      for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
-        out.sections[e] += x.forces[p];
-    return out;
-  }
 
   const Layout<Space>& layout() const { return layout_; }
 
@@ -84,6 +69,16 @@ class NetworkLoads {
     tell(changed, part_);
     set_columns(changed);
     return changed;
+  }
+
+  /// The section forces of all edges, of which `now` tells a part.
+  std::vector<Point<Space>> sections(const State& x, const Acting& now) const {
+    std::vector<Point<Space>> n = now.told;
+    for (int p = 0; p < int(layout_.spans().size()); ++p) {
+      if (layout_.spans()[p].block < 0) continue;
+      for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e) n[e] += x.forces[p];
+    }
+    return n;
   }
 
   /// Finds what the forces on vertices make of nodes and spans, of the nodes' own loads `own`.
@@ -112,7 +107,7 @@ class NetworkLoads {
   const std::vector<Spin<Space>>& node_follower_moments() const { return node_follower_; }
   const VertexForces<Space>& dead_forces() const { return dead_.vertices; }
   bool follow() const { return follows_; }
-  /// Of all loads, the part that acts.
+  /// Of all forces, the part that acts.
   double part() const { return part_; }
 
  private:
@@ -126,8 +121,8 @@ class NetworkLoads {
     node_moment_.clear();
     node_follower_.clear();
     for (const auto& node : net_.nodes) {
-      node_moment_.push_back(part_ * node.moment);
-      node_follower_.push_back(part_ * node.follower_moment);
+      node_moment_.push_back(moments_part_ * node.moment);
+      node_follower_.push_back(moments_part_ * node.follower_moment);
     }
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
       const auto& loads = net_.loads[rod];
@@ -138,15 +133,15 @@ class NetworkLoads {
         Spin<Space> m = loads.moment[j];
         if (!closed && j == 0 && !on.front().rigid) m += loads.start_moment;
         if (!closed && j == n - 1 && !on.back().rigid) m += loads.end_moment;
-        if (!m.isZero(0)) edge_moments_.emplace_back(layout_.edge(rod, j), part_ * m);
+        if (!m.isZero(0)) edge_moments_.emplace_back(layout_.edge(rod, j), moments_part_ * m);
       }
       for (const auto& c : loads.follower_moments)
-        follower_moments_.emplace_back(layout_.edge(rod, c.edge), part_ * c.moment);
+        follower_moments_.emplace_back(layout_.edge(rod, c.edge), moments_part_ * c.moment);
       if (!closed && !loads.follower_end_moment.isZero(0)) find_follower_end(rod, on.back());
       for (const auto& a : on) {
         if (!a.rigid || closed) continue;
-        if (a.vertex == 0) node_moment_[a.node] += part_ * loads.start_moment;
-        if (a.vertex == n) node_moment_[a.node] += part_ * loads.end_moment;
+        if (a.vertex == 0) node_moment_[a.node] += moments_part_ * loads.start_moment;
+        if (a.vertex == n) node_moment_[a.node] += moments_part_ * loads.end_moment;
       }
     }
   }
@@ -156,7 +151,7 @@ class NetworkLoads {
   void find_follower_end(int rod, const Attachment<Space>& end) {
     const auto& r = net_.rods[rod];
     const int n = r.edges();
-    const Spin<Space> M = part_ * net_.loads[rod].follower_end_moment;
+    const Spin<Space> M = moments_part_ * net_.loads[rod].follower_end_moment;
     if (end.rigid) {
       node_follower_[end.node] += rotate_spin(end.relative, M);
       return;
@@ -172,7 +167,7 @@ class NetworkLoads {
   Acting dead_;
   Moments edge_moments_, follower_moments_;
   std::vector<Spin<Space>> node_moment_, node_follower_;
-  double part_ = 1;
+  double part_ = 1, moments_part_ = 1;
   bool follows_ = false, moments_ = false;
 };
 

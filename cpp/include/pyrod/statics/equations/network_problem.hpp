@@ -19,6 +19,7 @@
 #include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <utility>
+#include <vector>
 
 namespace pyrod {
 
@@ -40,12 +41,18 @@ class NetworkProblem {
 
   const Layout<Space>& layout() const { return layout_; }
 
-  /// Lets only a part of all loads act.
-  void load(double part) { loads_.load(part); }
+  /// Lets only a part of all loads act, or of the forces and of the moments.
+  void load(double part) { load(part, part); }
+  void load(double forces, double moments) { loads_.load(forces, moments); }
   bool conservative() const { return loads_.conservative(); }
+  bool dead_loads() const { return !loads_.follow(); }
 
-  using Forces = typename NetworkLoads<Space>::Forces;
-  Forces forces(const State& x) const { return loads_.forces(x); }
+  using Acting = typename NetworkLoads<Space>::Acting;
+  /// What acts at x: it is kept in `changed` if it is more than the dead loads.
+  const Acting& acting(const State& x, Acting& changed) const { return loads_.acting(x, changed); }
+  std::vector<Point<Space>> sections(const State& x, const Acting& now) const {
+    return loads_.sections(x, now);
+  }
   /// The diagonal of the compliance of an edge.
   Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }
 
@@ -110,10 +117,11 @@ class NetworkProblem {
     scales_.rounding(x, loads_.acting(x, changed), out);
   }
   double unit_energy() const { return layout_.unit_moment(); }
+  /// None where all rods are clamped, and the loads tell all forces: nothing can make the factor
+  /// break.
+  double least_shift() const { return layout_.determinate() && dead_loads() ? 0 : 1e-6; }
 
  private:
-  using Acting = typename NetworkLoads<Space>::Acting;
-
   template <Hessian kind>
   void linearise(const State& x, Storage& out) const {
     out.energy = out.magnitude = 0;

@@ -42,7 +42,8 @@ class NetworkSpans {
     const auto& span = layout_.spans()[p];
     const int e = layout_.first_edge(p), row = layout_.frame_row(e), edges = span.last - span.first;
     const Rotation* frames = x.frames.data() + e;
-    const Chain<Space> chain{edges, e, columns_, told_, x.forces[p], frames[0], frames};
+    const Rotation before = frame_before(x, span, frames[0]);
+    const Chain<Space> chain{edges, e, columns_, told_, x.forces[p], before, frames};
     for (const int r : {row, row + spin * (edges - 1)}) out.hessian.set_zero(r, r + spin);
     ChainRows<Space> rows{out.gradient.data() + row, out.hessian.template chain<spin>(row, edges)};
     dispatch(ChainLinearisation<Space, kind>(chain, rows));
@@ -52,6 +53,12 @@ class NetworkSpans {
   }
 
  private:
+  /// The frame that the start is clamped in, by the smaller turn; else what turns nothing.
+  Rotation frame_before(const State& x, const Span<Space>& span, const Rotation& first) const {
+    const auto* clamp = layout_.clamp_of(span);
+    return clamp ? nearest(held_frame(x, *clamp), first) : first;
+  }
+
   /// The rows of the force: the span reaches from node to node.
   void set_force(const State& x, const Chain<Space>& chain, int p, Storage& out) const {
     const auto& span = layout_.spans()[p];

@@ -6,7 +6,7 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/statics/ladder/rung.hpp>
-#include <pyrod/statics/solution/scene_solution.hpp>
+#include <pyrod/statics/solution/solution.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace pyrod {
 namespace detail {
 
 /// The axis about which everything turns in the mode of a neutral equilibrium, if it is that.
-inline std::optional<Vec3> free_axis(const SceneSolution& solution) {
+inline std::optional<Vec3> free_axis(const Solution<Spatial>& solution) {
   Vec3 sum = Vec3::Zero();
   std::vector<Vec3> turns;
   std::size_t edge = 0;
@@ -56,7 +56,7 @@ inline void turn(Rung& rung, const Quaternion& by, const Vec3& centre) {
 
 /// Turns the rung about the free axis, through the start of the first rod, to where it is nearest
 /// to the rung before.
-inline void undo_free_turn(Rung& rung, const Rung& before, const SceneSolution& solution) {
+inline void undo_free_turn(Rung& rung, const Rung& before, const Solution<Spatial>& solution) {
   const auto axis = detail::free_axis(solution);
   if (!axis) return;
   const Vec3 centre = rung.rods[0].curve.positions[0];

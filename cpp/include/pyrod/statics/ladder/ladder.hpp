@@ -16,7 +16,7 @@
 #include <pyrod/statics/solution/quantity.hpp>
 #include <pyrod/statics/solution/reached.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
-#include <pyrod/statics/solution/scene_solution.hpp>
+#include <pyrod/statics/solution/solution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -34,11 +34,11 @@
 namespace pyrod {
 
 /// What the ladder needs of a scene. On level k every edge is cut in 2ᵏ; the solution of a level is
-/// that seen from level 0, see `seen`.
+/// that told at the vertices and edges of level 0, see `Recovery`.
 struct LadderScene {
   std::span<const Rod<Spatial>> rods;  ///< on level 0
   /// tolerance: the last step [rad] that Newton's method may leave unfollowed.
-  std::function<SceneSolution(int level, bool from_below, double tolerance)> solve;
+  std::function<Solution<Spatial>(int level, bool from_below, double tolerance)> solve;
   std::function<bool(const SoFar&)> has_time = {};  ///< for another grid; none: always
   /// Rods turn by finite angles in single cells. Where the moment is not along such a turn, its
   /// cell gives way a little otherwise than its two halves would: errors begin with h.
@@ -46,7 +46,7 @@ struct LadderScene {
 };
 
 struct Climbed {
-  SceneSolution solution;  ///< at the vertices and edges of the coarsest grid
+  Solution<Spatial> solution;  ///< at the vertices and edges of the coarsest grid
   Reached reached;
 };
 
@@ -314,7 +314,7 @@ class Ladder {
   int edges_ = 0, longest_ = 0;    ///< on level 0: of all rods, and of that with most
   std::vector<Rung> rungs_;
   std::vector<Vector> numbers_;  ///< of the rungs' vertices
-  SceneSolution solution_;
+  Solution<Spatial> solution_;
   std::vector<Iteration> record_;
   Best best_;
   double quadratic_ = 0;  ///< C above; 0: not seen yet

@@ -9,7 +9,7 @@
 #include <pyrod/solve/extrapolation.hpp>
 #include <pyrod/statics/solution/quantity.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
-#include <pyrod/statics/solution/scene_solution.hpp>
+#include <pyrod/statics/solution/solution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,38 +18,6 @@
 #include <vector>
 
 namespace pyrod {
-
-/// A solution on a grid whose edges are those of the coarsest cut in `stride` parts, seen there. A
-/// coarse edge is seen at its centre: there must be a vertex, so that `stride` is even, or it is 1.
-inline RodSolution<Spatial> seen(const RodSolution<Spatial>& fine, int stride) {
-  RodSolution<Spatial> out;
-  const int n = fine.curve.edges() / stride;
-  const auto pick = [&](const auto& from, auto& to) {
-    for (int j = 0; j <= n; ++j) to.push_back(from[std::size_t(j * stride)]);
-  };
-  pick(fine.curve.positions, out.curve.positions);
-  pick(fine.vertex_frames, out.vertex_frames);
-  pick(fine.strains.K, out.strains.K);
-  pick(fine.vertex_force, out.vertex_force);
-  pick(fine.moment, out.moment);
-  pick(fine.material_moment, out.material_moment);
-  for (int j = 0; j < n; ++j) {
-    const auto behind = std::size_t(j * stride + stride / 2), before = behind - (stride > 1);
-    out.curve.frames.push_back(stride > 1 ? fine.vertex_frames[behind] : fine.curve.frames[behind]);
-    out.force.push_back((fine.force[before] + fine.force[behind]) / 2);
-    out.strains.Γ.push_back((fine.strains.Γ[before] + fine.strains.Γ[behind]) / 2);
-  }
-  for (auto b : fine.before)
-    if (b.vertex % stride == 0) b.vertex /= stride, out.before.push_back(b);
-  out.largest = fine.largest;
-  out.load = lumped(fine.load, stride);
-  out.load_moment = fine.load_moment;  // with that of the forces, about the origin
-  for (std::size_t j = 0; j < fine.load.size(); ++j)
-    out.load_moment += fine.curve.positions[j].cross(fine.load[j]);
-  out.bend_twist_energy = fine.bend_twist_energy;
-  out.stretch_shear_energy = fine.stretch_shear_energy;
-  return out;
-}
 
 /// Calls visit(quantity, numbers, width) for all that is extrapolated of vertices and sums, and
 /// `visit_edges` of edges, always in the same order.
@@ -122,8 +90,9 @@ struct Rung {
   int stride;
   bool one_axis = true;  ///< every cell bends about the axis of its moment: errors have even powers
 
-  /// `solution`: as seen from the coarsest grid, of whose edges its own are `parts`-ths.
-  Rung(const SceneSolution& solution, int parts, const Rung* before)
+  /// `solution`: as told at the vertices of the coarsest grid, of whose edges its own are
+  /// `parts`-ths.
+  Rung(const Solution<Spatial>& solution, int parts, const Rung* before)
       : rods(solution.rods), nodes(solution.nodes), stride(parts) {
     for (const auto& rod : rods) one_axis = one_axis && bends_about_its_moment(rod);
     if (before) take_signs(*before);

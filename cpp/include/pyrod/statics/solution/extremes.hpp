@@ -18,7 +18,8 @@ template <class Space>
 class Extremes {
  public:
   explicit Extremes(const Rod<Space>& rod) : rod_(rod) {
-    for (auto* list : {&K_, &force_, &moment_}) list->reserve(std::size_t(rod.edges() + 1));
+    for (auto* list : {&K_, &moment_}) list->reserve(std::size_t(rod.edges() + 1));
+    force_.resize(std::size_t(rod.edges() + 1));
   }
 
   /// Of the cell of the next vertex: its turn u, and M = C (u/Δs − K⁰). Seen from the middle of the
@@ -30,7 +31,8 @@ class Extremes {
     K_.push_back((rod_.K0[j] + seen.cwiseQuotient(rod_.bending[j])).squaredNorm());
     moment_.push_back(seen.squaredNorm());
   }
-  void add_force(const Point<Space>& n) { force_.push_back(n.squaredNorm()); }
+  /// At an inner vertex; what is told at the ends takes the place of theirs.
+  void set_force(int j, const Point<Space>& n) { force_[std::size_t(j)] = n.squaredNorm(); }
 
   /// `s`: told at every `stride`-th vertex, with both sides of those where something jumps.
   Largest largest(const RodSolution<Space>& s, int stride) {

@@ -9,7 +9,7 @@
 namespace pyrod {
 
 struct Softness {
-  static constexpr double shift = 1e-6;  ///< that Newton's matrices always have, see SaddleNewton
+  static constexpr double shift = 1e-6;  ///< that Newton's matrices have, see `ShiftedFactor`
 
   double eigenvalue = std::numeric_limits<double>::infinity();  ///< over EI/L of the scene
   double drift = 0;  ///< turn [rad] along the mode that rounding does not tell from none

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace pyrod {
@@ -36,7 +37,7 @@ class Vertices {
   Vertices(const Rod<Space>& rod, const Loads<Space>& loads, Held held = {}, int stride = 1)
       : rod_(rod), loads_(loads), held_(std::move(held)), stride_(stride) {}
 
-  void see(RodSolution<Space>& s, const std::vector<Point<Space>>& force) const {
+  void see(RodSolution<Space>& s, std::span<const Point<Space>> force) const {
     const int n = rod_.edges();
     s.vertex_frames.reserve(std::size_t(n / stride_ + 1));
     s.vertex_force.reserve(std::size_t(n / stride_ + 1));
@@ -52,11 +53,11 @@ class Vertices {
   }
 
  private:
-  Point<Space> before(const RodSolution<Space>& s, const std::vector<Point<Space>>& force,
+  Point<Space> before(const RodSolution<Space>& s, std::span<const Point<Space>> force,
                       int j) const {
     return force[j - 1] - loads_.share(j - 1, s.curve.frames[j - 1]);
   }
-  Point<Space> behind(const RodSolution<Space>& s, const std::vector<Point<Space>>& force,
+  Point<Space> behind(const RodSolution<Space>& s, std::span<const Point<Space>> force,
                       int j) const {
     return force[j] + loads_.share(j, s.curve.frames[j]);
   }
@@ -78,7 +79,7 @@ class Vertices {
   }
 
   /// The moments beside an applied one are those of the cell, less what of it the edge there feels.
-  void see_sides(RodSolution<Space>& s, const std::vector<Point<Space>>& force, int j) const {
+  void see_sides(RodSolution<Space>& s, std::span<const Point<Space>> force, int j) const {
     const std::size_t J = std::size_t(j / stride_);
     const HeldVertex<Space>* held = holding(j);
     const auto sides = rod_.sides(j);
@@ -135,5 +136,16 @@ class Vertices {
   Held held_;
   int stride_;
 };
+
+/// The frames at the vertices in the middle between every `stride`-th.
+template <class Space>
+std::vector<typename Space::Rotation> centre_frames(const Grid& grid,
+                                                    const CosseratCurve<Space>& curve, int stride) {
+  std::vector<typename Space::Rotation> out;
+  out.reserve(std::size_t(grid.edges() / stride));
+  for (int j = stride / 2; j < grid.edges(); j += stride)
+    out.push_back(vertex_frame(grid, curve, j));
+  return out;
+}
 
 }  // namespace pyrod

@@ -67,14 +67,27 @@ class StateNear {
 
   NetworkState<Space> state(const NetworkStart& start) const {
     check(start);
+    NetworkState<Space> near;
+    near.frames = restricted<Space>(start.frames, here_.frame);
+    for (const auto& r : start.positions)
+      near.positions.push_back(
+          restrict_point<Space>(unrotate(here_.frame, Vec3(r - here_.position))));
+    for (const auto& q : start.node_frames)
+      near.node_frames.push_back(restrict_rotation<Space>(here_.frame.conjugate() * q));
+    return state(std::move(near));
+  }
+
+  /// The same of frames, and positions and frames of nodes if there are any, in the space of the
+  /// computation.
+  NetworkState<Space> state(NetworkState<Space> near) const {
     NetworkState<Space> x = Start<Space>(layout_).state();
-    x.frames = restricted<Space>(start.frames, here_.frame);
+    x.frames = std::move(near.frames);
     std::vector<char> known(x.positions.size(), false);
     const auto by_rods = turned_by_rods(x);
     for (std::size_t v = 0; v < known.size(); ++v) {
       known[v] = node(v).free.cols() == 0;
-      if (v < start.positions.size())
-        set(v, start, by_rods[v], x), known[v] = true;
+      if (v < near.positions.size())
+        set(v, near, by_rods[v], x), known[v] = true;
       else if (by_rods[v])
         turn(v, *by_rods[v], x);
     }
@@ -111,10 +124,10 @@ class StateNear {
   }
 
   /// A node as it is given. Its frame goes along with the rods', which may have gone round.
-  void set(std::size_t v, const NetworkStart& start, const std::optional<Rotation>& by_rods,
+  void set(std::size_t v, const NetworkState<Space>& near, const std::optional<Rotation>& by_rods,
            NetworkState<Space>& x) const {
-    place(v, restrict_point<Space>(unrotate(here_.frame, start.positions[v] - here_.position)), x);
-    auto q = restrict_rotation<Space>(here_.frame.conjugate() * start.node_frames[v]);
+    place(v, near.positions[v], x);
+    auto q = near.node_frames[v];
     if (by_rods) q = *by_rods * principal(by_rods->conjugate() * q);
     turn(v, q, x);
   }

@@ -11,6 +11,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -26,6 +27,10 @@ class Layout {
   explicit Layout(Network<Space> network) : known_(std::move(network)) {
     set_units(known_.cut());
     number(known_.cut());
+    determinate_ = unknowns() == spin * edges();
+    for (const auto& on : known_.cut().attached)
+      determinate_ =
+          determinate_ && std::ranges::any_of(on, [&](const auto& a) { return clamps(a); });
   }
 
   const KnownForces<Space>& known() const { return known_; }
@@ -55,9 +60,27 @@ class Layout {
   int row(int block) const { return rows_[block]; }
   int frame_row(int e) const { return rows_[frame_block_[e]]; }
   int unknowns() const { return rows_.back(); }
+  /// Those of the unknowns that are section forces.
+  int multipliers() const {
+    int sum = 0;
+    for (const auto& span : spans()) sum += int(span.open.cols());
+    return sum;
+  }
   /// Numbers of the first and the last edge of a span among all edges.
   int first_edge(int p) const { return edge(spans()[p].rod, spans()[p].first); }
   int last_edge(int p) const { return edge(spans()[p].rod, spans()[p].last - 1); }
+  /// Whether the attachment holds the rod in a frame that is no unknown.
+  bool clamps(const Attachment<Space>& a) const {
+    return a.rigid && !a.hinge && network().nodes[a.node].turns.cols() == 0;
+  }
+  /// The attachment that clamps the start of a span, or null.
+  const Attachment<Space>* clamp_of(const Span<Space>& span) const {
+    const auto& a = attached(span.rod)[span.attachment];
+    return clamps(a) ? &a : nullptr;
+  }
+  /// Every rod is clamped, and the loads tell all section forces: only frames of edges are unknown,
+  /// and they have a potential of their own without any multiplier, Linn B.5.
+  bool determinate() const { return determinate_; }
   /// Blocks before it belong to spans.
   int first_node_block() const { return first_node_block_; }
   const BlockPattern& pattern() const { return pattern_; }
@@ -203,6 +226,7 @@ class Layout {
   int first_node_block_ = 0;
   std::vector<double> span_moment_, span_length_, rod_moment_, node_length_;
   double moment_ = 1;
+  bool determinate_ = false;
 };
 
 }  // namespace pyrod

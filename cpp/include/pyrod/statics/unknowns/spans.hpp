@@ -18,6 +18,7 @@ template <class Space>
 struct Span {
   int rod, first, last;
   int start, end;               ///< nodes
+  int attachment;               ///< at its start, among those of the rod
   Directions<Space::dim> open;  ///< directions in which the section force is not known
   int block = -1;               ///< of its unknowns
 };
@@ -130,9 +131,8 @@ struct Spans {
         const bool last = i + 1 == on.size();
         if (last && !closed(rod)) continue;
         const int end = last ? n : on[i + 1].vertex;
-        Span<Space> span{
-            rod, on[i].vertex, end, on[i].node, on[last ? 0 : i + 1].node, Mat<dim>::Identity()};
-        spans.push_back(span);
+        const int node = on[last ? 0 : i + 1].node;
+        spans.push_back({rod, on[i].vertex, end, on[i].node, node, int(i), Mat<dim>::Identity()});
       }
     }
     spans_at.resize(network.nodes.size());

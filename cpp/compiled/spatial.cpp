@@ -3,6 +3,6 @@
 
 namespace pyrod {
 
-PYROD_CANTILEVER_SOLVERS(, Spatial)
+PYROD_SOLVERS(, Spatial)
 
 }  // namespace pyrod

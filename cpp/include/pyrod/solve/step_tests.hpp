@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file What Newton's method asks of a step where constraints hold.
+/// \file What Newton's method asks of a step.
 #pragma once
 
 #include <pyrod/core/types.hpp>
@@ -20,12 +20,12 @@ struct Merit {
 };
 
 /// δ: the step; rounding: what of the gradient could be no more.
-template <Constrained P>
-class SaddleTests {
+template <Problem P>
+class StepTests {
  public:
   using Here = LinearisationOf<P>;
 
-  SaddleTests(const P& problem, const Multipliers& multipliers)
+  StepTests(const P& problem, const Multipliers& multipliers)
       : problem_(problem),
         multipliers_(multipliers),
         weights_(problem.weights()),

@@ -3,6 +3,6 @@
 
 namespace pyrod {
 
-PYROD_CANTILEVER_SOLVERS(, Planar)
+PYROD_SOLVERS(, Planar)
 
 }  // namespace pyrod

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Modes, multipliers that are not known, circles of solutions, no solution, no potential.
-#include <pyrod/solve/saddle_newton.hpp>
+#include <pyrod/solve/newton.hpp>
 
 #include "support/constrained_problem.hpp"
 #include "support/near.hpp"
@@ -10,7 +10,7 @@ using namespace pyrod::test;
 
 namespace {
 
-using Solver = SaddleNewton<ConstrainedProblem>;
+using Solver = Newton<ConstrainedProblem>;
 
 Options patient() {
   Options options;

@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file One call for every network: plane or space chosen at run time, results always in space.
+/// \file A network brought to the plane that a planar computation is in.
 #pragma once
 
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/spatial.hpp>
-#include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/directions.hpp>
 #include <pyrod/scene/network.hpp>
 #include <pyrod/scene/placement.hpp>
-#include <pyrod/solve/iteration.hpp>
-#include <pyrod/solve/options.hpp>
-#include <pyrod/statics/solution/rod_solution.hpp>
-#include <pyrod/statics/solution/scene_solution.hpp>
-#include <pyrod/statics/solving/network_options.hpp>
-#include <pyrod/statics/solving/network_solve.hpp>
-#include <pyrod/statics/start/network_start.hpp>
+#include <pyrod/statics/start/restricted.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <optional>
 #include <string_view>
-#include <vector>
 
 namespace pyrod {
 
@@ -135,60 +126,6 @@ Network<Space> restricted(const Network<Spatial>& net, const Placement<Spatial>&
                                a.turns});
     if (a.hinge) detail::add_hinge(out.attachments.back(), *a.hinge);
   }
-  return out;
-}
-
-template <class Space>
-struct NetworkRun {
-  NetworkResult<Space> result;
-  std::vector<RodSolution<Spatial>> rods;
-  std::vector<NodeSolution<Spatial>> nodes;
-};
-
-/// Equilibrium of a network, in the plane of `at` or in space. `start`: a shape that is trusted to
-/// be near; none: see `Start`.
-template <class Space>
-NetworkRun<Space> run(const Network<Spatial>& net, const Placement<Spatial>& at,
-                      const std::optional<NetworkStart>& start, const Options& options,
-                      const NetworkOptions& more, const Trace& trace) {
-  require_rotation(at.frame, "at.frame");
-  const Placement<Spatial> here = Space::dim == 3 ? Placement<Spatial>{} : at;
-  NetworkSolver<Space> solver(restricted<Space>(net, at), options, more, trace);
-  NetworkRun<Space> out;
-  if (start) {
-    out.result =
-        solver.solve(StateNear<Space>(solver.layout(), here, net.nodes.size()).state(*start));
-  } else {
-    out.result = solver.solve();
-  }
-  for (const auto& rod : out.result.solution.rods) out.rods.push_back(placed(rod, here));
-  for (const auto& v : out.result.solution.nodes)
-    out.nodes.push_back({here.position + rotate(here.frame, embed(v.position)),
-                         rotate(here.frame, embed(v.reaction_force)), here.frame * embed(v.frame),
-                         rotate(here.frame, embed_spin(v.reaction_moment))});
-  return out;
-}
-
-template <class Space>
-SceneSolution scene_solution(NetworkRun<Space>&& from) {
-  const auto& r = from.result;
-  SceneSolution out{std::move(from.rods),
-                    std::move(from.nodes),
-                    r.status,
-                    r.index,
-                    r.residual,
-                    r.fill,
-                    r.unknowns,
-                    r.multipliers,
-                    r.load_steps,
-                    r.descents,
-                    r.neutral,
-                    {},
-                    r.lowest_eigenvalue,
-                    r.rounding,
-                    std::move(from.result.record),
-                    r.softness};
-  for (const auto& φ : r.mode) out.mode.push_back(embed_spin(φ));
   return out;
 }
 

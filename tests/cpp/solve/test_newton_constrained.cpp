@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/solve/saddle_newton.hpp>
+#include <pyrod/solve/newton.hpp>
 
 #include "support/constrained_problem.hpp"
 #include "support/near.hpp"
@@ -13,7 +13,7 @@ constexpr double always = 1e-6;  // share of the unit that is always added to th
 
 Result<Vector> solved(const ConstrainedProblem& problem, const Vector& start, bool minimum = true,
                       const Options& options = {}, bool estimate = false) {
-  return SaddleNewton<ConstrainedProblem>(problem, options, {}, minimum)
+  return Newton<ConstrainedProblem>(problem, options, {}, minimum)
       .solve(start, Hessian::exact, estimate);
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("of equilibria that go over into each other the one nearest to the anc
       const Vector start = away * Vec2(2 * std::cos(turn), std::sin(turn));
       const auto aside = [&](bool anchored) {
         const auto result =
-            SaddleNewton<ConstrainedProblem>(valley).solve(start, Hessian::exact, false, anchored);
+            Newton<ConstrainedProblem>(valley).solve(start, Hessian::exact, false, anchored);
         REQUIRE(result.converged());
         const Vector moved = result.state - start, n = normal(result.state);
         return std::abs(moved[0] * n[1] - moved[1] * n[0]);

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/statics/ladder/compiled.hpp>
-
-namespace pyrod {
-
-PYROD_NETWORK_SOLVERS(, Planar)
-
-}  // namespace pyrod

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file A network on its grid as a problem that is ready to be solved, again and again.
+#pragma once
+
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/network.hpp>
+#include <pyrod/scene/placement.hpp>
+#include <pyrod/statics/equations/network_problem.hpp>
+#include <pyrod/statics/solution/solution.hpp>
+#include <pyrod/statics/start/coarsening.hpp>
+#include <pyrod/statics/start/restricted_network.hpp>
+#include <pyrod/statics/unknowns/layout.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace pyrod {
+
+/// Several threads may use it at once. The problem keeps a reference to the layout: not to be
+/// moved.
+template <class Space>
+class Posed {
+ public:
+  using Coarser = std::vector<std::unique_ptr<const Posed>>;
+
+  /// Refuses what is no network.
+  explicit Posed(Network<Space> network)
+      : given_(checked(std::move(network))), layout_(given_), problem_(layout_) {}
+
+  /// In the plane of `at`, or in space.
+  Posed(const Network<Spatial>& network, const Placement<Spatial>& at)
+    requires(!std::is_same_v<Space, Spatial>)
+      : Posed(in_plane(network, at)) {
+    here_ = at;
+  }
+  Posed(const Network<Spatial>& network, const Placement<Spatial>&)
+    requires std::is_same_v<Space, Spatial>
+      : Posed(network) {}
+
+  Posed(const Posed&) = delete;
+  Posed& operator=(const Posed&) = delete;
+
+  /// As it was given: what the layout makes of it has units of its own, and nodes at free ends.
+  const Network<Space>& network() const { return given_; }
+  const Layout<Space>& layout() const { return layout_; }
+  const NetworkProblem<Space>& problem() const { return problem_; }
+  /// Where the plane of the computation is.
+  const Placement<Spatial>& here() const { return here_; }
+
+  Solution<Spatial> in_space(Solution<Space>&& found) const {
+    if constexpr (std::is_same_v<Space, Spatial>)
+      return std::move(found);
+    else
+      return placed(std::move(found), here_);
+  }
+
+  /// The same with few edges, and more, and more: made when they are first asked for.
+  const Coarser& coarser() const {
+    std::call_once(once_, [this] {
+      for (const int edges : coarser_edges())
+        coarser_.push_back(std::make_unique<const Posed>(coarsened(given_, edges)));
+    });
+    return coarser_;
+  }
+
+ private:
+  static constexpr int coarsest = 16, refinement = 8;
+
+  static Network<Space> checked(Network<Space> network) {
+    network.check();
+    return network;
+  }
+
+  static Network<Space> in_plane(const Network<Spatial>& network, const Placement<Spatial>& at) {
+    require_rotation(at.frame, "at.frame");
+    return restricted<Space>(network, at);
+  }
+
+  /// Edges of a span on the coarser grids, the coarsest first. Such that a start does not turn by
+  /// more than half a radian from edge to edge.
+  std::vector<int> coarser_edges() const {
+    int longest = 0, turns = 0;
+    for (const auto& span : layout_.spans()) longest = std::max(longest, span.last - span.first);
+    for (const auto& a : given_.attachments) turns = std::max(turns, std::abs(a.turns));
+    double rest = 0;
+    for (const auto& rod : given_.rods) {
+      double sum = 0;
+      for (int j = 0; j < rod.grid.vertices(); ++j) sum += rod.grid.Δs(j) * rod.K0[j].norm();
+      rest = std::max(rest, sum);
+    }
+    const double turn = 2 * std::numbers::pi * turns + rest;
+    std::vector<int> out;
+    for (int n = coarsest * std::max(1, int(std::ceil(turn / 8))); 2 * n <= longest;
+         n *= refinement)
+      out.push_back(n);
+    return out;
+  }
+
+  Network<Space> given_;
+  Layout<Space> layout_;
+  NetworkProblem<Space> problem_;
+  Placement<Spatial> here_;
+  mutable std::once_flag once_;
+  mutable Coarser coarser_;
+};
+
+}  // namespace pyrod
