@@ -56,7 +56,10 @@ double kept_memory(const P& problem, const typename P::State& start) {
 /// A rod clamped at its start.
 template <class Space>
 Network<Space> clamped(const Rod<Space>& rod, const Loads<Space>& loads) {
-  Network<Space> out{{rod}, {{}}, {loads}, {}, {}};
+  Network<Space> out;
+  out.rods.push_back(rod);
+  out.placements.emplace_back();
+  out.loads.push_back(loads);
   out.nodes.emplace_back();
   out.nodes[0].free.resize(Space::dim, 0);
   out.nodes[0].turns.resize(Space::spin, 0);

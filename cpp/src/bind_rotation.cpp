@@ -32,10 +32,8 @@ Quaternion from_matrix(const Mat3& R, std::size_t i) {
   return Quaternion(R).normalized();
 }
 
-}  // namespace
-
-void rotation(py::module_& module) {
-  auto m = module.def_submodule("rotation", "Unit quaternions, scalar first, row by row.");
+/// Rotations from vectors, and back.
+void bind_measures(py::module_& m) {
   m.def(
       "exp",
       [](const Array& φ) {
@@ -61,6 +59,9 @@ void rotation(py::module_& module) {
                     [](const Quaternion& p) { return inverse_cayley(p); });
       },
       py::arg("quaternion"));
+}
+
+void bind_products_and_matrices(py::module_& m) {
   m.def(
       "multiply",
       [](const Array& a, const Array& b) {
@@ -97,6 +98,14 @@ void rotation(py::module_& module) {
         return array(out);
       },
       py::arg("matrix"));
+}
+
+}  // namespace
+
+void rotation(py::module_& module) {
+  auto m = module.def_submodule("rotation", "Unit quaternions, scalar first, row by row.");
+  bind_measures(m);
+  bind_products_and_matrices(m);
 }
 
 }  // namespace pyrod::bind

@@ -147,7 +147,7 @@ class BreakSearch {
       sizes.push_back(differences[std::size_t(k)]);
       if (sizes.back() < rounding || order(sizes) > 2.6) return std::nullopt;
       if (sizes.size() < 6) continue;
-      if (const auto place = told(sizes, s, d, values)) return place;
+      if (const auto place = settled(sizes, s, d, values)) return place;
     }
     unresolved_ = true;  // singular: it tends to no order
     return std::nullopt;
@@ -160,8 +160,8 @@ class BreakSearch {
   }
 
   /// The place of a jump, a kink or a jump of the second derivative, if it is clear by now.
-  std::optional<BreakPlace> told(const std::vector<double>& sizes, double s, double d,
-                                 const Samples& values) const {
+  std::optional<BreakPlace> settled(const std::vector<double>& sizes, double s, double d,
+                                    const Samples& values) const {
     const double p = order(sizes);
     if (p < 0.3 && sizes.size() % 6 == 0) return jump(s, s + 4 * d, sizes.back());
     if (sizes.back() < 100 * rounding || (p > 1.6 && sizes.size() >= 12))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file Dead loads on a rod, brought to the grid: forces to the vertices, moments to the edges.
+/// \file Loads on a rod, brought to the grid: forces to the vertices, moments to the edges.
 #pragma once
 
 #include <pyrod/core/require.hpp>
@@ -15,9 +15,9 @@
 
 namespace pyrod {
 
-/// Loads fixed in space, all in spatial components. A force at a vertex acts on its position, a
-/// moment on an edge acts on its frame; the end moment acts on the end of the rod, behind the last
-/// half cell.
+/// Dead ones are in spatial components, those that follow in the components of frames. A force at a
+/// vertex acts on its position, a moment on an edge acts on its frame; the end moment acts on the
+/// end of the rod, behind the last half cell.
 template <class Space>
 struct Loads {
   std::vector<Point<Space>> force;  ///< on the n + 1 vertices
@@ -284,18 +284,6 @@ struct Loads {
   void note_moment(const Grid& grid, const VertexMoment<Space>& shared, const Site& at) {
     const int j = shared.vertex;
     if (j > 0 && j < grid.edges() && at.vertex() == j) vertex_moments.push_back(shared);
-  }
-
-  /// The first edge whose centre is behind the place, and how far on the way to it from the centre
-  /// before (or the start) the place is; behind the last centre: the number of edges, 0.
-  static std::pair<int, double> between_centres(const Grid& grid, const Site& at) {
-    const auto [e, part] = at;
-    if (part < 0.5) {
-      if (e == 0) return {0, 2 * part};
-      return {e, (grid.h(e - 1) / 2 + part * grid.h(e)) / grid.Δs(e)};
-    }
-    if (e == grid.edges() - 1) return {e + 1, 0};
-    return {e + 1, (part - 0.5) * grid.h(e) / grid.Δs(e + 1)};
   }
 
   static void share_out(const Grid& grid, const std::vector<Point<Space>>& f,

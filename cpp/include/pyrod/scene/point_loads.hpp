@@ -6,6 +6,7 @@
 #include <pyrod/rotation/space.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace pyrod {
 
@@ -67,5 +68,17 @@ template <class Space>
 struct EndCurvature {
   Spin<Space> start = Spin<Space>::Zero(), end = Spin<Space>::Zero();
 };
+
+/// The first edge whose centre is behind the place, and how far on the way to it from the centre
+/// before (or the start) the place is; behind the last centre: the number of edges, 0.
+inline std::pair<int, double> between_centres(const Grid& grid, const Site& at) {
+  const auto [e, part] = at;
+  if (part < 0.5) {
+    if (e == 0) return {0, 2 * part};
+    return {e, (grid.h(e - 1) / 2 + part * grid.h(e)) / grid.Δs(e)};
+  }
+  if (e == grid.edges() - 1) return {e + 1, 0};
+  return {e + 1, (part - 0.5) * grid.h(e) / grid.Δs(e + 1)};
+}
 
 }  // namespace pyrod

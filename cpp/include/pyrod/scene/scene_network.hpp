@@ -56,7 +56,8 @@ class NetworkMaker {
     for (const auto& support : scene_.supports) support_on(support);
     for (int i = 0; i < int(scene_.rods.size()); ++i) add_rod(i);
     for (auto& meeting : nodes_) add(meeting);
-    for (const auto& support : scene_.supports) tell(nodes_[owner_.at(point(place_of(support)))]);
+    for (const auto& support : scene_.supports)
+      note_held(nodes_[owner_.at(point(place_of(support)))]);
     for (const auto& joint : scene_.joints)
       out_.joint_nodes.push_back(nodes_[owner_.at(point(joint.points[0]))].number);
     return std::move(out_);
@@ -77,7 +78,7 @@ class NetworkMaker {
     Placement<Spatial> at = {};  ///< where its support holds it
   };
 
-  void tell(const Meeting& meeting) {
+  void note_held(const Meeting& meeting) {
     out_.support_nodes.push_back(meeting.number);
     out_.held.push_back(meeting.at);
   }

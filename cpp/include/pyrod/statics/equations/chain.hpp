@@ -27,15 +27,15 @@ struct Chain {
 
   int edges, first;
   const EdgeColumns<Space>& columns;
-  const Columns<Space::dim>& told;  ///< section forces of all edges, but for what is
-  Point<Space> added;               ///< added to them in each edge of the chain
-  Rotation before;                  ///< the frame before vertex 0, which does not turn
-  const Rotation* frames;           ///< of its edges
+  const Columns<Space::dim>& known;  ///< section forces of all edges, but for what is
+  Point<Space> added;                ///< added to them in each edge of the chain
+  Rotation before;                   ///< the frame before vertex 0, which does not turn
+  const Rotation* frames;            ///< of its edges
 
   /// Section forces in edges number j, j + 1, …
   template <class Real>
   Point<Space, Real> force(int j) const {
-    Point<Space, Real> n = told.template at<Real>(first + j);
+    Point<Space, Real> n = known.template at<Real>(first + j);
     for (int i = 0; i < Space::dim; ++i) n[i] += Real(added[i]);
     return n;
   }

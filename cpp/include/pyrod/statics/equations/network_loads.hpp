@@ -42,7 +42,7 @@ class NetworkLoads {
     dead_.vertices = layout_.known().dead_forces();
     for (auto& rod : dead_.vertices)
       for (auto& F : rod) F *= part;
-    tell(dead_, part);
+    find_sections(dead_, part);
     set_columns(dead_);
     find_moments();
   }
@@ -54,8 +54,8 @@ class NetworkLoads {
   /// Forces on vertices and nodes, and what they tell of the section force in every edge.
   struct Acting {
     VertexForces<Space> vertices;
-    std::vector<Point<Space>> nodes, told;
-    Columns<dim> columns;  ///< of what is told, for packs
+    std::vector<Point<Space>> nodes, known;
+    Columns<dim> columns;  ///< of what is known, for packs
   };
 
   /// What acts at x: it is kept in `changed` if it is more than the dead loads.
@@ -66,14 +66,14 @@ class NetworkLoads {
       for (const auto& f : net_.loads[rod].follower_forces)
         changed.vertices[rod][f.vertex] +=
             part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
-    tell(changed, part_);
+    find_sections(changed, part_);
     set_columns(changed);
     return changed;
   }
 
   /// The section forces of all edges, of which `now` tells a part.
   std::vector<Point<Space>> sections(const State& x, const Acting& now) const {
-    std::vector<Point<Space>> n = now.told;
+    std::vector<Point<Space>> n = now.known;
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       if (layout_.spans()[p].block < 0) continue;
       for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e) n[e] += x.forces[p];
@@ -82,16 +82,16 @@ class NetworkLoads {
   }
 
   /// Finds what the forces on vertices make of nodes and spans, of the nodes' own loads `own`.
-  void tell(Acting& now, double own) const {
+  void find_sections(Acting& now, double own) const {
     now.nodes = layout_.known().on_nodes(now.vertices, own);
     const auto known = layout_.known().known_forces(now.vertices, own);
-    now.told.resize(layout_.edges());
+    now.known.resize(layout_.edges());
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
       Point<Space> f = known[p];
       for (int j = span.first; j < span.last; ++j) {
         if (j > span.first) f -= now.vertices[span.rod][j];
-        now.told[layout_.edge(span.rod, j)] = f;
+        now.known[layout_.edge(span.rod, j)] = f;
       }
     }
   }
@@ -112,7 +112,7 @@ class NetworkLoads {
 
  private:
   static void set_columns(Acting& now) {
-    now.columns.assign(int(now.told.size()), [&](int e) { return now.told[e]; });
+    now.columns.assign(int(now.known.size()), [&](int e) { return now.known[e]; });
   }
 
   void find_moments() {

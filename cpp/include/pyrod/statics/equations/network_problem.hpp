@@ -169,21 +169,21 @@ class NetworkProblem {
   void add_place(const State& x, const Acting& now, int v, int b, Storage& out) const {
     const auto& node = net_.nodes[v];
     const Mat<dim> F = padded(node.free);
-    Point<Space> told = -now.nodes[v],
-                 asked = Point<Space>::Zero();  // what is known of the balance, or not
+    Point<Space> known = -now.nodes[v],
+                 open = Point<Space>::Zero();  // what the loads tell of the balance, or not
     for (const auto& [p, end] : layout_.spans_at(v)) {
       const auto& span = layout_.spans()[p];
       const double sign = end ? 1 : -1;
-      told += sign * now.told[end ? layout_.last_edge(p) : layout_.first_edge(p)];
-      asked += sign * x.forces[p];
+      known += sign * now.known[end ? layout_.last_edge(p) : layout_.first_edge(p)];
+      open += sign * x.forces[p];
       if (span.block >= 0) {
         const Mat<dim> C = padded(span.open);
         out.hessian.add(span.block, b, Mat<dim>(sign * C.transpose() * F));
       }
     }
     const Point<Space> stretch = x.positions[v] - node.position;
-    add_energy(node.spring * stretch.squaredNorm() / 2 + told.dot(x.positions[v]), out);
-    add_to_rows(layout_, b, Point<Space>(F.transpose() * (told + asked + node.spring * stretch)),
+    add_energy(node.spring * stretch.squaredNorm() / 2 + known.dot(x.positions[v]), out);
+    add_to_rows(layout_, b, Point<Space>(F.transpose() * (known + open + node.spring * stretch)),
                 out);
     out.hessian.add_diagonal(b, Mat<dim>(node.spring * F.transpose() * F));
   }

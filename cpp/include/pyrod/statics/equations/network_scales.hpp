@@ -140,8 +140,8 @@ class NetworkScales {
 
   /// The largest section force of a span over its unit.
   double force_size(const State& x, const Acting& now, int p) const {
-    const Point<Space> first = x.forces[p] + now.told[layout_.first_edge(p)],
-                       last = x.forces[p] + now.told[layout_.last_edge(p)];
+    const Point<Space> first = x.forces[p] + now.known[layout_.first_edge(p)],
+                       last = x.forces[p] + now.known[layout_.last_edge(p)];
     return std::max(first.norm(), last.norm()) / layout_.unit_force(p);
   }
 

@@ -64,9 +64,9 @@ class NetworkSkew {
     }
     for (const auto& [edge, m] : loads_.follower_moments())  // +½ [M]
       out.segment<spin>(layout_.frame_row(edge)) -= spin_skew(turn_of(edge)) * m / 2;
-    loads_.tell(change, 0);
+    loads_.find_sections(change, 0);
     typename NetworkLoads<Space>::Acting changed;
-    const auto &dn = change.told, n = loads_.sections(x, loads_.acting(x, changed));
+    const auto &dn = change.known, n = loads_.sections(x, loads_.acting(x, changed));
     for (const auto& span : layout_.spans()) {
       Point<Space> reach = Point<Space>::Zero();
       for (int j = span.first; j < span.last; ++j) {

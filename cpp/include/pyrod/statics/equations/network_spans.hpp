@@ -31,10 +31,10 @@ class NetworkSpans {
   using Storage = Linearisation<BlockSymmetric>;
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  /// `told`: what the loads tell of the section forces.
+  /// `known`: what the loads tell of the section forces.
   NetworkSpans(const Layout<Space>& layout, const EdgeColumns<Space>& columns,
-               const Columns<dim>& told)
-      : layout_(layout), columns_(columns), told_(told) {}
+               const Columns<dim>& known)
+      : layout_(layout), columns_(columns), known_(known) {}
 
   /// Writes the rows of span p.
   template <Hessian kind>
@@ -43,7 +43,7 @@ class NetworkSpans {
     const int e = layout_.first_edge(p), row = layout_.frame_row(e), edges = span.last - span.first;
     const Rotation* frames = x.frames.data() + e;
     const Rotation before = frame_before(x, span, frames[0]);
-    const Chain<Space> chain{edges, e, columns_, told_, x.forces[p], before, frames};
+    const Chain<Space> chain{edges, e, columns_, known_, x.forces[p], before, frames};
     for (const int r : {row, row + spin * (edges - 1)}) out.hessian.set_zero(r, r + spin);
     ChainRows<Space> rows{out.gradient.data() + row, out.hessian.template chain<spin>(row, edges)};
     dispatch(ChainLinearisation<Space, kind>(chain, rows));
@@ -80,7 +80,7 @@ class NetworkSpans {
 
   const Layout<Space>& layout_;
   const EdgeColumns<Space>& columns_;
-  const Columns<dim>& told_;
+  const Columns<dim>& known_;
 };
 
 }  // namespace pyrod

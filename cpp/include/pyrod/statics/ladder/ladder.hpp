@@ -12,6 +12,7 @@
 #include <pyrod/solve/status.hpp>
 #include <pyrod/statics/ladder/error_scales.hpp>
 #include <pyrod/statics/ladder/free_turn.hpp>
+#include <pyrod/statics/ladder/ladder_scene.hpp>
 #include <pyrod/statics/ladder/rung.hpp>
 #include <pyrod/statics/solution/quantity.hpp>
 #include <pyrod/statics/solution/reached.hpp>
@@ -32,23 +33,6 @@
 #include <vector>
 
 namespace pyrod {
-
-/// What the ladder needs of a scene. On level k every edge is cut in 2ᵏ; the solution of a level is
-/// that told at the vertices and edges of level 0, see `Recovery`.
-struct LadderScene {
-  std::span<const Rod<Spatial>> rods;  ///< on level 0
-  /// tolerance: the last step [rad] that Newton's method may leave unfollowed.
-  std::function<Solution<Spatial>(int level, bool from_below, double tolerance)> solve;
-  std::function<bool(const SoFar&)> has_time = {};  ///< for another grid; none: always
-  /// Rods turn by finite angles in single cells. Where the moment is not along such a turn, its
-  /// cell gives way a little otherwise than its two halves would: errors begin with h.
-  bool corners = false;
-};
-
-struct Climbed {
-  Solution<Spatial> solution;  ///< at the vertices and edges of the coarsest grid
-  Reached reached;
-};
 
 class Ladder {
  public:
@@ -72,18 +56,18 @@ class Ladder {
     for (int level = 0;; ++level) {
       solution_ = scene_.solve(level, from_below, step_tolerance());
       note_record();
-      if (solution_.status == Status::interrupted) return told(level, Ended::interrupted);
+      if (solution_.status == Status::interrupted) return finished(level, Ended::interrupted);
       if (solution_.converged()) {
         add(1 << level);
         judge(level);
-        if (best_.error <= tolerance_) return told(level, Ended::reached);
+        if (best_.error <= tolerance_) return finished(level, Ended::reached);
       } else if (best_.level >= 0) {
-        return told(level, Ended::failed);
+        return finished(level, Ended::failed);
       } else {
         forget();
       }
       from_below = solution_.converged();
-      if (const auto ended = exhausted(level)) return told(level, *ended);
+      if (const auto ended = exhausted(level)) return finished(level, *ended);
     }
   }
 
@@ -142,20 +126,6 @@ class Ladder {
     rungs_.clear();
     numbers_.clear();
     best_ = {};
-  }
-
-  /// K from the moments: the turn of the half cell at an end is that at its middle.
-  static void take_curvatures(RodSolution<Spatial>& seen, const Rod<Spatial>& rod) {
-    for (std::size_t j = 0; j < seen.strains.K.size(); ++j) {
-      seen.material_moment[j] = unrotate(seen.vertex_frames[j], seen.moment[j]);
-      seen.strains.K[j] = rod.K0[j] + seen.material_moment[j].cwiseQuotient(rod.bending[j]);
-    }
-    for (auto& b : seen.before) {
-      const auto j = std::size_t(b.vertex);
-      const auto sides = rod.sides(b.vertex);
-      b.K = sides.K_before(unrotate(seen.vertex_frames[j], b.moment));
-      seen.strains.K[j] = sides.K_behind(seen.material_moment[j]);
-    }
   }
 
   void judge(int level) {
@@ -262,7 +232,7 @@ class Ladder {
     return std::nullopt;
   }
 
-  Climbed told(int level, Ended ended) {
+  Climbed finished(int level, Ended ended) {
     Climbed out;
     out.reached.errors.fill(std::numeric_limits<double>::infinity());
     Rung rung = rungs_.empty() ? Rung(solution_, 1 << level, nullptr) : rungs_.back();

@@ -83,6 +83,20 @@ inline auto reading(const Vector& from) {
 
 }  // namespace detail
 
+/// K from the moments: the turn of the half cell at an end is that at its middle.
+inline void take_curvatures(RodSolution<Spatial>& rod, const Rod<Spatial>& made) {
+  for (std::size_t j = 0; j < rod.strains.K.size(); ++j) {
+    rod.material_moment[j] = unrotate(rod.vertex_frames[j], rod.moment[j]);
+    rod.strains.K[j] = made.K0[j] + rod.material_moment[j].cwiseQuotient(made.bending[j]);
+  }
+  for (auto& b : rod.before) {
+    const auto j = std::size_t(b.vertex);
+    const auto sides = made.sides(b.vertex);
+    b.K = sides.K_before(unrotate(rod.vertex_frames[j], b.moment));
+    rod.strains.K[j] = sides.K_behind(rod.material_moment[j]);
+  }
+}
+
 /// What one grid says. Frames have the signs of the rung before, if there is one.
 struct Rung {
   std::vector<RodSolution<Spatial>> rods;

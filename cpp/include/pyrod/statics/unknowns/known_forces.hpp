@@ -69,7 +69,7 @@ class KnownForces {
     std::vector<Point<Space>> known(cut_.spans.size(), Point<Space>::Zero()), loads;
     const auto node_force = on_nodes(force, own);
     for (const auto& span : cut_.spans) loads.push_back(inside(span, force));
-    for (const auto& step : told_) {
+    for (const auto& step : steps_) {
       Point<Space> balance = -node_force[step.node];
       for (const auto& [s, end] : cut_.spans_at[step.node])
         balance += end ? Point<Space>(known[s] - loads[s]) : Point<Space>(-known[s]);
@@ -147,7 +147,7 @@ class KnownForces {
       if (derived_[v] || p < 0 || cut_.network.nodes[v].free.cols() == 0 ||
           cut_.network.nodes[v].spring > 0)
         continue;
-      if (!tell(v, p)) continue;
+      if (!solve_at(v, p)) continue;
       derived_[v] = true;
       todo.push_back(cut_.spans[p].start);
       todo.push_back(cut_.spans[p].end);
@@ -166,7 +166,7 @@ class KnownForces {
   }
 
   /// Tells the force of span p along the free directions F of node v: Fᵀ(Σ n − P) = 0.
-  bool tell(int v, int p) {
+  bool solve_at(int v, int p) {
     Span<Space>& span = cut_.spans[p];
     const D& F = cut_.network.nodes[v].free;
     const Eigen::MatrixXd M = F.transpose() * span.open;
@@ -174,20 +174,20 @@ class KnownForces {
     qr.setThreshold(1e-9);
     if (qr.rank() < F.cols()) return false;
     const double sign = span.end == v ? -1 : 1;
-    told_.push_back({v, p, sign * span.open * qr.solve(Eigen::MatrixXd(F.transpose()))});
+    steps_.push_back({v, p, sign * span.open * qr.solve(Eigen::MatrixXd(F.transpose()))});
     span.open = detail::kernel_within<dim>(span.open, F.transpose());
     return true;
   }
 
   /// One step of telling forces: Σ n − P = 0 at the node, solved for the span's force.
-  struct Told {
+  struct Step {
     int node, span;
     Mat<dim> solve;
   };
 
   Spans<Space> cut_;
   std::vector<char> derived_;
-  std::vector<Told> told_;
+  std::vector<Step> steps_;
 };
 
 }  // namespace pyrod
