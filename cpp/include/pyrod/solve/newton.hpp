@@ -76,7 +76,7 @@ class Newton {
     result.energy = here().energy;
     result.residual = tangent_.residual();
     if (result.converged() && problem_.conservative())
-      result.index = tangent_.index(!has_shift(result.record.back()));
+      result.index = tangent_.index(!has_shift(result.record.back()) && !anchor_.holds());
     result.state = std::move(x_);
     return result;
   }
@@ -172,11 +172,12 @@ class Newton {
     return false;
   }
 
-  /// A step that is not too long for what the exact Hessian can tell. A shift makes it shorter;
-  /// where constraints hold, which a shift would leave open, or the Hessian tells a part only, it
-  /// is cut instead.
+  /// A step that is not too long for what the exact Hessian can tell. A shift makes it shorter, and
+  /// leads to a minimum; it is cut instead where constraints hold, which a shift would leave open,
+  /// where the Hessian tells a part only, and where any equilibrium will do.
   bool usable(const Iteration& now) const {
-    const bool cut = tangent_.constrained() || !problem_.conservative() || kind_ == Hessian::convex;
+    const bool cut = tangent_.constrained() || !problem_.conservative() || !minimum_ ||
+                     kind_ == Hessian::convex;
     return std::isfinite(now.step) && (cut || now.step <= options_.trust);
   }
 

@@ -71,8 +71,8 @@ class Tangent {
                          v);
   }
 
-  /// Of what was linearised last. `last`: whether the factor is of the state before, one full step
-  /// away, whose multipliers were others, and not shifted.
+  /// Of what was linearised last. `last`: whether the factor is of the state before, one tiny step
+  /// away, and nothing was added to it: it tells the index, unless multipliers have changed.
   int index(bool last) {
     if (last && !constrained() && !factor_.adds()) return factor_.index();
     factor_.factorise(0);

@@ -53,7 +53,7 @@ class EdgesOfSpan {
     start_ = r;
     s.curve.positions[span_.first / stride_] = r;
     act(s, r, span_.first);
-    Point<Space> Γ_before, n_before, share_before;
+    Point<Space> Γ_before = axis<Space>(), n_before = Point<Space>::Zero(), share_before = n_before;
     for (int j = span_.first; j < span_.last; ++j) {
       const int e = layout_.edge(span_.rod, j);
       const Point<Space>& n = sections_[e];
