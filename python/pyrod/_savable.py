@@ -11,6 +11,6 @@ class Savable:
 
     def save(self, path: str | Path, **options: Any) -> None:
         """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
-        from pyrod._files import save
+        from pyrod.files import save
 
         save(self, path, **options)  # type: ignore[arg-type]

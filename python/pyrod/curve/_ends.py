@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from pyrod._arrays import Array
+from pyrod.base.arrays import Array
 
 if TYPE_CHECKING:
     from pyrod.curve._polyline import Polyline

@@ -9,14 +9,14 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._arrays import array, number
-from pyrod._immutable import Array, Immutable, frozen, sealed, vector
-from pyrod._sampling import edge_lengths as lengths_of
-from pyrod._sampling import sampled
+import pyrod._core as _core
+from pyrod.base.arrays import array, number
+from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
 from pyrod.curve._knots import whole as whole_link
 from pyrod.curve._polyline import Polyline
 from pyrod.curve._reading import between_vertices, check_count, check_reading, held, signed
+from pyrod.curve._sampling import edge_lengths as lengths_of
+from pyrod.curve._sampling import sampled
 from pyrod.curve._strains import Measure, checked_measure, reconstruct, strains
 from pyrod.rotation import as_frame, rotate, to_matrix
 

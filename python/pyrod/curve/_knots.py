@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple, Union
 
 from numpy.typing import ArrayLike
 
-from pyrod._arrays import whole as whole_number
+from pyrod.base.arrays import whole as whole_number
 
 if TYPE_CHECKING:
     from pyrod.curve._polyline import Polyline

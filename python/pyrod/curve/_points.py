@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pyrod._arrays import Array, array, transposed
-from pyrod._immutable import vector
-from pyrod.errors import CurveWarning
+from pyrod.base.arrays import Array, array, transposed
+from pyrod.base.immutable import vector
+from pyrod.result.errors import CurveWarning
 
 if TYPE_CHECKING:
     from pyrod.curve._polyline import Polyline

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, Literal, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._arrays import array, number, precision, yes_or_no
-from pyrod._arrays import whole as whole_number
-from pyrod._immutable import Array, Immutable, frozen, sealed
+import pyrod._core as _core
+from pyrod.base.arrays import array, number, precision, yes_or_no
+from pyrod.base.arrays import whole as whole_number
+from pyrod.base.immutable import Array, Immutable, frozen, sealed
 from pyrod.curve._ends import Ends, is_torsion, with_ends
 from pyrod.curve._knots import Approach, as_polyline, whole
 from pyrod.curve._points import (

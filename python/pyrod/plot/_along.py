@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pyrod._fields import KINDS, field
-from pyrod._immutable import Array
-from pyrod._optional import need
-from pyrod._pictures.measure import symbol_of
+from pyrod.base.immutable import Array
+from pyrod.base.optional import need
+from pyrod.pictures.measure import symbol_of
+from pyrod.result.fields import KINDS, field
 
 if TYPE_CHECKING:
-    from pyrod.equilibrium import Equilibrium, RodEquilibrium
+    from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 
 PANELS = {"strains": ("K", "Gamma"), "forces": ("force", "moment")}
 """The quantities of a picture, one below the other."""

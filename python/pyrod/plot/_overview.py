@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pyrod._optional import need
+from pyrod.base.optional import need
 from pyrod.plot._along import PANELS, draw_panel
 from pyrod.plot._mode import draw_mode, stability
 from pyrod.plot._shape import draw_shape, new_axes
@@ -12,7 +12,7 @@ from pyrod.plot._shape import draw_shape, new_axes
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pyrod.equilibrium import Equilibrium
+    from pyrod.result.equilibrium import Equilibrium
 
 
 def overview(result: Equilibrium) -> Figure:

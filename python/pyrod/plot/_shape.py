@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pyrod._immutable import Array
-from pyrod._optional import need
-from pyrod._pictures.box import box
-from pyrod._pictures.measure import Measure, measure
+from pyrod.base.immutable import Array
+from pyrod.base.optional import need
+from pyrod.pictures.box import box
+from pyrod.pictures.measure import Measure, measure
 from pyrod.rotation import conjugate, rotate
 
 if TYPE_CHECKING:
-    from pyrod.equilibrium import Equilibrium, RodEquilibrium
+    from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 
 
 def new_axes(result: Equilibrium, figure: Any = None, place: Any = 111) -> Any:
