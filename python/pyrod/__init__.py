@@ -10,6 +10,8 @@ from importlib.metadata import version as _version
 from pyrod import curve, rotation
 from pyrod._core import Options
 from pyrod.base.folders import get_cmake_dir, get_include
+from pyrod.curve._warning import CurveWarning
+from pyrod.document.errors import SceneFileError
 from pyrod.files import load, save
 from pyrod.models.choice import Choice, smallest_model
 from pyrod.models.effects import Effect, effect, out_of_plane_index
@@ -18,9 +20,7 @@ from pyrod.result.accuracy import Accuracy
 from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
 from pyrod.result.errors import (
     AccuracyWarning,
-    CurveWarning,
     NotConverged,
-    SceneFileError,
     StrainWarning,
     UnstableWarning,
 )

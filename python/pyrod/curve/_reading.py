@@ -10,7 +10,7 @@ import numpy as np
 import pyrod._core as _core
 from pyrod.base.arrays import Array
 from pyrod.base.immutable import frozen
-from pyrod.result.errors import CurveWarning
+from pyrod.curve._warning import CurveWarning
 from pyrod.rotation import (
     as_frames,
     conjugate,

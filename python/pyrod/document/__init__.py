@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from pyrod.document.errors import SceneFileError
 from pyrod.document.files import load_file
 from pyrod.document.problems import Refused
 from pyrod.document.reading import Content, content
 from pyrod.document.writing import write
-from pyrod.result.errors import SceneFileError
 from pyrod.scene.scene import Scene
 
 __all__ = ["Content", "load_file", "read", "write"]

@@ -9,12 +9,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from pyrod.document.errors import SceneFileError, SceneFileProblem
 from pyrod.document.lines import line_of
 from pyrod.document.problems import Refused
 from pyrod.document.reading import Content, content
 from pyrod.document.toml import dumps
 from pyrod.document.writing import write
-from pyrod.result.errors import SceneFileError, SceneFileProblem
 from pyrod.scene.scene import Scene
 
 MOST_BYTES = 100 * 10**6

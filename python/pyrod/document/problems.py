@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
-from pyrod.result.errors import MOST_TOLD, SceneFileProblem
+from pyrod.document.errors import MOST_TOLD, SceneFileProblem
 
 KeyPath = tuple[str | int, ...]
 """Keys and numbers that lead to a value: ("rods", 0, "length")."""
