@@ -10,11 +10,11 @@ from pyrod._core import Options
 from pyrod.document.problems import Found, Here, KeyPath
 from pyrod.document.rods import check_form, made, outline_of
 from pyrod.document.schema import OPTIONS, SCENE, SHAPES, STIFFNESSES
+from pyrod.result.accuracy import checked_tolerance
 from pyrod.rod.place import on_rod
 from pyrod.rod.rod import Rod
 from pyrod.rod.section import Material, Section
 from pyrod.scene.scene import Scene
-from pyrod.solving.job import checked_tolerance
 
 Values = dict[str, Any]
 
@@ -138,7 +138,7 @@ def _parts(key: str, tables: list[Any], rods: tuple[Rod, ...], found: Found) -> 
             kind, values = table if isinstance(table, tuple) else (SCENE.keys[key].type.type, table)  # type: ignore[attr-defined]
             part = kind.make(**values)
             for place in _places(part):
-                on_rod(place, rods)
+                on_rod(place, [rod.length for rod in rods])
             out.append(part)
     return out
 

@@ -9,21 +9,13 @@ import numpy as np
 
 from pyrod.base.arrays import number
 from pyrod.base.immutable import Array, Immutable
-from pyrod.models.effects import (
-    MODELS,
-    Of,
-    Quantity,
-    effect,
-    on_its_grid,
-    out_of_plane_index,
-    rebuilt,
-)
-from pyrod.models.solve import solve
+from pyrod.models.effects import MODELS, Of, Quantity, effect, out_of_plane_index
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
 from pyrod.rod.section import Model
 from pyrod.scene.planarity import is_planar
-from pyrod.scene.scene import Scene, Space, checked_scene
+from pyrod.scene.scene import Scene, Space, checked_scene, on_its_grid, rebuilt
+from pyrod.solving.run import solved
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +78,7 @@ def _climb(
     for model in MODELS[:-1]:
         modelled = _modelled(scene, space, model)
         try:
-            result = solve(on_its_grid(modelled))
+            result = solved(on_its_grid(modelled))
         except (NotConverged, ValueError):  # such as clamps that are too far apart
             sizes["extension" if model == "inextensible" else "shear"] = np.inf
             continue
@@ -98,7 +90,7 @@ def _climb(
     else:
         model, error = MODELS[-1], 0.0
         modelled = _modelled(scene, space, model)
-        result = solve(on_its_grid(modelled))
+        result = solved(on_its_grid(modelled))
     text = f"{space}{why}, {model}: {_told(sizes, tol)}"
     return Choice(space, model, error, sizes, text, modelled, result)
 

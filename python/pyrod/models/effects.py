@@ -11,13 +11,12 @@ import numpy as np
 
 from pyrod._core import Options
 from pyrod.base.immutable import Array, Immutable, frozen
-from pyrod.models.solve import solve
-from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium, largest_turn
 from pyrod.rod.rod import Rod
 from pyrod.rod.section import Model
-from pyrod.rotation import conjugate, multiply
 from pyrod.scene.planarity import is_planar
-from pyrod.scene.scene import Scene, Space
+from pyrod.scene.scene import Scene, on_its_grid, rebuilt
+from pyrod.solving.run import solved
 
 Of = Literal["extension", "shear", "strains", "space"]
 Quantity = Callable[[Equilibrium], "float | Array"]
@@ -135,7 +134,7 @@ def out_of_plane_index(result: Equilibrium) -> int | None:
     if why := is_planar(result.scene).why:
         raise ValueError(f"result: in space it is no equilibrium, since {why}")
     planar = on_its_grid(result.scene)
-    inside, free = (solve(x, start=result, stable=False).index for x in (planar, spatial))
+    inside, free = (solved(x, start=result, stable=False).index for x in (planar, spatial))
     return None if free < 0 or inside < 0 else free - inside
 
 
@@ -145,10 +144,10 @@ def _predicted(richer: Scene | None, result: Equilibrium) -> tuple[Equilibrium, 
         return result, result, True
     options = Options(max_iterations=1)
     scenes = on_its_grid(result.scene), richer
-    steps = [solve(x, options, start=result, strict=False, stable=False) for x in scenes]
+    steps = [solved(x, options, start=result, strict=False, stable=False) for x in scenes]
     if all(map(_is_whole, steps)):
         return steps[0], steps[1], True
-    before, after = (solve(x, start=result, stable=False) for x in scenes)
+    before, after = (solved(x, start=result, stable=False) for x in scenes)
     return before, after, False
 
 
@@ -174,11 +173,6 @@ def _with_strains(scene: Scene, of: Of) -> Scene | None:
     return rebuilt(poorer, rods, scene.space)
 
 
-def on_its_grid(scene: Scene) -> Scene:
-    """The scene on the edges that it has: none are left to the solver."""
-    return rebuilt(scene, tuple(rod._refined(0) for rod in scene.rods), scene.space)
-
-
 def _richer(rod: Rod, added: tuple[bool, ...]) -> Rod:
     now = np.array(_STRAINS[rod.model])
     then = now | added
@@ -187,11 +181,6 @@ def _richer(rod: Rod, added: tuple[bool, ...]) -> Rod:
         return rod
     model: Model = "extensible" if tuple(then) == _STRAINS["extensible"] else "cosserat"
     return replace(rod, model=model, stretching=stiffness)
-
-
-def rebuilt(scene: Scene, rods: tuple[Rod, ...], space: Space) -> Scene:
-    """The scene with other rods of the same shapes, in a space."""
-    return Scene(rods, scene.supports, scene.loads, space, scene.joints)
 
 
 # How large a change is --------------------------------------------------------------------------
@@ -213,12 +202,6 @@ def _changes(before: Equilibrium, after: Equilibrium) -> dict[str, float]:
         "moments": max(_largest(b.moment - a.moment) for a, b in pairs) / moment,
         "energy": abs(after.energy - before.energy) / max(energies),
     }
-
-
-def largest_turn(a: RodEquilibrium, b: RodEquilibrium) -> float:
-    """The largest angle between the frames of two shapes at the same vertex [rad]."""
-    turn = multiply(conjugate(a.vertex_frames), b.vertex_frames)
-    return float(2 * np.arctan2(np.linalg.norm(turn[:, 1:], axis=1), np.abs(turn[:, 0])).max())
 
 
 def _largest(values: Array) -> float:

@@ -1,9 +1,8 @@
-"""Solving a scene."""
+"""Solving a scene, in the model that is wanted."""
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 from typing import Literal
@@ -12,14 +11,12 @@ from numpy.typing import ArrayLike
 
 from pyrod._core import Options
 from pyrod.base.progress import iterations
+from pyrod.models.choice import smallest_model
 from pyrod.result.equilibrium import Equilibrium
-from pyrod.result.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.rod.section import Model
 from pyrod.scene.scene import Scene, checked_scene
-from pyrod.solving.job import How, equilibrium_of, start_of
-
-DOUBTS = {"unstable": UnstableWarning, "accuracy": AccuracyWarning, "strain": StrainWarning}
-"""The warnings of what a user should know before trusting an equilibrium."""
+from pyrod.solving.job import How
+from pyrod.solving.run import judge, print_iteration, run
 
 
 def solve(
@@ -78,7 +75,7 @@ def solve(
     checked_scene(scene)
     how = How(options or Options(), stable, eigenvalue, tol)
     with iterations(progress and not verbose) as show:
-        result = found(scene, how, model, start, _print_iteration if verbose else show)
+        result = found(scene, how, model, start, print_iteration if verbose else show)
     judge(result, strict, verbose)
     return result
 
@@ -95,12 +92,7 @@ def found(
     choice = None
     if model is not None:
         scene, choice = _in_model(scene, model, how.tol)
-    how = how.checked()
-    options, stable, eigenvalue, tol = how
-    grids = getattr(trace, "reached", None)
-    known = start_of(start, scene)
-    source = scene._core.solve(known, options, tol, stable, eigenvalue, trace, grids)
-    return equilibrium_of(scene, source, how, perf_counter() - began, choice)
+    return run(scene, how, start, trace, choice, began)
 
 
 def _in_model(
@@ -110,40 +102,7 @@ def _in_model(
     if model != "auto":
         rods = [replace(rod, model=model) for rod in scene.rods]
         return Scene(rods, scene.supports, scene.loads, scene.space, scene.joints), None
-    from pyrod.models.choice import smallest_model
-
     if tol is None:
         raise ValueError("model: 'auto' needs tol, the error that is allowed")
     choice = smallest_model(scene, tol)
     return choice.scene, choice.text
-
-
-def judge(result: Equilibrium, strict: bool, verbose: bool = False) -> None:
-    """Refuses what is no equilibrium, and warns of what is doubtful."""
-    if verbose:
-        print(
-            f"{result.status}: {result.iterations} iterations, {result.unknowns} unknowns of which "
-            f"{result.multipliers} multipliers, fill {result.fill:.2f}",
-            flush=True,
-        )
-    if strict and not result.converged:
-        raise NotConverged(result)
-    warn_of(result, stacklevel=4)
-
-
-def warn_of(result: Equilibrium, stacklevel: int) -> None:
-    """Warns of what is doubtful in an equilibrium that was just found."""
-    for category, words in doubts(result):
-        warnings.warn(words, category, stacklevel=stacklevel)
-
-
-def doubts(result: Equilibrium) -> Iterator[tuple[type[Warning], str]]:
-    """What a user should know before trusting an equilibrium that was just found."""
-    return ((DOUBTS[kind], words) for kind, words in result._source.doubts)
-
-
-def _print_iteration(
-    energy: float, residual: float, step: float, part: float, shift: float
-) -> None:
-    notes = (f"  part {part:.2g}" if part < 1 else "") + (f"  shift {shift:.2e}" if shift else "")
-    print(f"energy {energy:+.9e}  residual {residual:.2e}  step {step:.2e} rad{notes}", flush=True)

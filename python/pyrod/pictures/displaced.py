@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from pyrod.base.immutable import Array
+from pyrod.result.equilibrium import Equilibrium
 from pyrod.rotation import rotate
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import Equilibrium
 
 
 def mode_displacements(result: Equilibrium) -> list[Array]:

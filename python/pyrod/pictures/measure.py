@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from pyrod.base.immutable import Array
+from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import FRAME, KINDS, Kind, Place, between_edges, field
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import Equilibrium
 
 
 class Measure(NamedTuple):

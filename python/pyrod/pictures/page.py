@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from base64 import b64encode
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,18 +14,32 @@ from pyrod.base.optional import need
 from pyrod.pictures.box import box
 from pyrod.pictures.measure import measure, measures
 from pyrod.pictures.swept import Swept, swept
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import Equilibrium
+from pyrod.result.equilibrium import Equilibrium
 
 LEFT_OUT = ("vertex_frames", "frames", "positions", "a1", "a2", "a3")
 """Quantities that the picture shows as it is."""
 
 
 def write_html(
-    result: Equilibrium, path: str | Path, colour_by: str | None = None, sides: int = 16
+    result: Equilibrium, path: str | Path, colour_by: str | None = None, *, sides: int = 16
 ) -> None:
-    """Writes the picture; see `Equilibrium.to_html`."""
+    """Writes an interactive picture as one HTML file that needs no network.
+
+    The solid can be turned and coloured by any quantity out of a list; pointing at it tells arc
+    length and value. Values of edges are shown as means at the vertices.
+
+    Parameters
+    ----------
+    result : what to show.
+    path : of the file.
+    colour_by : the quantity shown at first, as for `Equilibrium.plot`; default: "moment".
+    sides : into how many chords circles are cut; default 16.
+
+    Raises
+    ------
+    ValueError : an unknown quantity.
+    ImportError : plotly is not installed: ``pip install 'pyrod[html]'``.
+    """
     figure = interactive(result, "moment" if colour_by is None else colour_by, sides)
     title = json.dumps(_title(result))
     figure.write_html(

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyrod.base.immutable import Array
+from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.result.fields import KINDS, field
 from pyrod.rod.outline import Outline
 from pyrod.rod.outlines import outlines
 from pyrod.rod.polygons import triangles
 from pyrod.rotation import to_matrix
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 
 Indices = NDArray[np.int64]
 Run = list[tuple[int, Outline]]

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -15,11 +15,9 @@ from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.measure import measure
 from pyrod.pictures.swept import Swept, swept
+from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.result.fields import field
 from pyrod.rod.place import on_rod
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 
 PALETTE = np.array(
     [(31, 119, 180), (255, 127, 14), (44, 160, 44), (148, 103, 189), (140, 86, 75)], dtype=np.uint8
@@ -34,7 +32,23 @@ MOST_FRAMES = 60  # on each rod: more would hide it
 
 
 def solid(result: Equilibrium, sides: int = 24) -> Any:
-    """The swept solid as ``pyvista.PolyData`` with all quantities; see `Equilibrium.to_pyvista`."""
+    """The rods as a solid with their true cross-sections, for pyvista.
+
+    Parameters
+    ----------
+    result : what to show.
+    sides : into how many chords circles are cut, at least 3; default 24.
+
+    Returns
+    -------
+    ``pyvista.PolyData``: closed surfaces, their quads and triangles seen from outside. Point data
+    are the quantities of the vertices, cell data those of the edges, under the names they have in
+    `RodEquilibrium`, besides the directors "a1", "a2", "a3" and "rod", the number of the rod.
+
+    Raises
+    ------
+    ImportError : pyvista is not installed: ``pip install 'pyrod[view]'``.
+    """
     mesh = swept(result, sides)
     poly = _poly(mesh)
     at_points, on_faces = mesh.quantities(result)
@@ -52,14 +66,37 @@ def _poly(mesh: Swept) -> Any:
 
 def show(
     result: Equilibrium,
-    colour_by: str | None,
-    frames: bool,
-    off_screen: bool,
-    screenshot: str | Path | None,
-    sides: int,
-    size: tuple[int, int],
+    colour_by: str | None = None,
+    *,
+    frames: bool = False,
+    off_screen: bool = False,
+    screenshot: str | Path | None = None,
+    sides: int = 24,
+    size: tuple[int, int] = (1024, 768),
 ) -> Any:
-    """Opens a window, or makes an image without one; see `Equilibrium.show`."""
+    """Shows the rods in space with pyvista: in a window, or as an image without one.
+
+    Supports are drawn as cubes where they hold the frame, else as balls; loads as arrows.
+
+    Parameters
+    ----------
+    result : what to show.
+    colour_by : a quantity, as for `Equilibrium.plot`; default: a colour for each rod.
+    frames : draw the directors a1, a2, a3 at the vertices as red, green and blue arrows.
+    off_screen : open no window.
+    screenshot : file for the image (.png); implies ``off_screen``.
+    sides : into how many chords circles are cut; default 24.
+    size : width and height of the window or image in pixels; default (1024, 768).
+
+    Returns
+    -------
+    (height, width, 3) the image if no window was opened, else None once it is closed.
+
+    Raises
+    ------
+    ValueError : an unknown quantity.
+    ImportError : pyvista is not installed: ``pip install 'pyrod[view]'``.
+    """
     hidden = off_screen or screenshot is not None
     if hidden and sys.platform.startswith("linux") and "DISPLAY" not in os.environ:
         check_drawing_without_display()
@@ -151,7 +188,7 @@ def _add_rods(plotter: Any, result: Equilibrium, colour_by: str | None, sides: i
 def _add_supports(plotter: Any, result: Equilibrium) -> None:
     pyvista = need("pyvista", "view")
     for support in result.scene.supports:
-        number, s = on_rod(support.at, result.scene.rods)
+        number, s = on_rod(support.at, [rod.length for rod in result.scene.rods])
         size = 1.5 * result.scene.rods[number].outline(s).size
         at = result._support_position(support)
         if support.holds_frame:

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.measure import symbol_of
+from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.result.fields import KINDS, field
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 
 PANELS = {"strains": ("K", "Gamma"), "forces": ("force", "moment")}
 """The quantities of a picture, one below the other."""

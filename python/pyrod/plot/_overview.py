@@ -8,11 +8,10 @@ from pyrod.base.optional import need
 from pyrod.plot._along import PANELS, draw_panel
 from pyrod.plot._mode import draw_mode, stability
 from pyrod.plot._shape import draw_shape, new_axes
+from pyrod.result.equilibrium import Equilibrium
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from pyrod.result.equilibrium import Equilibrium
 
 
 def overview(result: Equilibrium) -> Figure:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -11,10 +11,8 @@ from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.box import box
 from pyrod.pictures.measure import Measure, measure
+from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.rotation import conjugate, rotate
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 
 
 def new_axes(result: Equilibrium, figure: Any = None, place: Any = 111) -> Any:

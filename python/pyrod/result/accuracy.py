@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
+from pyrod.base.arrays import number_as
 from pyrod.base.immutable import Immutable
 
 TOLD_APART = ("edge_frames", "edge_forces", "strains", "extremes")
@@ -77,3 +78,14 @@ def accuracy_of(told: tuple[Any, ...] | None, neutral: bool) -> Accuracy | None:
     tol, errors, order, regular, grids, finest, ended, reason = told
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
     return Accuracy(tol, errors, order, regular, grids, finest, ended, neutral, reason)
+
+
+def checked_tolerance(tol: float | None) -> float | None:
+    """The tolerance, if it is one."""
+    if tol is None:
+        return None
+    wanted = "must be a number in (0, 0.1]"
+    value = 0.0 if isinstance(tol, bool) else number_as(tol, "tol", wanted)
+    if not 0 < value <= 0.1:
+        raise ValueError(f"tol: {wanted}, got {tol!r}")
+    return value

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
 import pyrod._core as _core
-from pyrod._savable import Savable
 from pyrod.base.arrays import number
+from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy
-from pyrod.pictures import Pictures
 from pyrod.result.accuracy import Accuracy
-from pyrod.result.fields import longest
-from pyrod.rotation import exp, multiply, rotate
+from pyrod.rod.rod import Rod
+from pyrod.rotation import conjugate, exp, multiply, rotate
 from pyrod.scene.scene import Scene
 from pyrod.scene.supports import Support
 
 if TYPE_CHECKING:
-    from pyrod.models.effects import Effect, Of, Quantity
-    from pyrod.rod.rod import Rod
+    from matplotlib.figure import Figure
 
 
 class Reaction(NamedTuple):
@@ -109,7 +109,7 @@ class RodEquilibrium(Lazy, Immutable):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Equilibrium(Pictures, Savable, Lazy, Immutable):
+class Equilibrium(Lazy, Immutable):
     """Equilibrium of a scene: its ``rods``, and how it was found.
 
     Of a scene with one rod, all that `RodEquilibrium` knows is to be had directly: ``positions``,
@@ -222,18 +222,18 @@ class Equilibrium(Pictures, Savable, Lazy, Immutable):
             )
         return self.reactions[0]
 
-    def effect(self, of: Of, quantity: Quantity | None = None) -> Effect:
-        """What "extension", "shear", "strains" or "space" would change; see `pyrod.effect`."""
-        from pyrod.models.effects import effect
-
-        return effect(self, of, quantity)
+    @borrowed("pyrod.models.effects:effect")
+    def effect(
+        self,
+        of: Literal["extension", "shear", "strains", "space"],
+        quantity: Callable[[Equilibrium], float | Array] | None = None,
+    ) -> Any:
+        """What "extension", "shear", "strains" or "space" would change, an `Effect`."""
 
     @property
+    @borrowed("pyrod.models.effects:out_of_plane_index")
     def out_of_plane_index(self) -> int | None:
         """Directions out of the plane in which the energy falls; see `pyrod.out_of_plane_index`."""
-        from pyrod.models.effects import out_of_plane_index
-
-        return out_of_plane_index(self)
 
     def along_mode(self, amplitude: float) -> Array:
         """(edges of all rods, 4) frames displaced along the mode: a start for other equilibria.
@@ -288,6 +288,49 @@ class Equilibrium(Pictures, Savable, Lazy, Immutable):
         rod, vertex = self.scene._vertex(support.at)
         return self.rods[rod].positions[vertex]
 
+    # Pictures and files ---------------------------------------------------------------------------
+
+    @borrowed("pyrod.plot:draw")
+    def plot(
+        self,
+        ax: Any = None,
+        *,
+        what: Literal["shape", "strains", "forces", "stability"] = "shape",
+        directors: bool = True,
+        colour_by: str | None = None,
+        **style: Any,
+    ) -> Any:
+        """Draws the shape, "strains", "forces" or "stability" with matplotlib."""
+
+    @borrowed("pyrod.plot:overview")
+    def overview(self) -> Figure:  # type: ignore[empty-body]
+        """All that is known in one matplotlib figure."""
+
+    @borrowed("pyrod.pictures.view:solid")
+    def to_pyvista(self, sides: int = 24) -> Any:
+        """The rods as a solid with their true cross-sections, for pyvista."""
+
+    @borrowed("pyrod.pictures.view:show")
+    def show(
+        self,
+        colour_by: str | None = None,
+        *,
+        frames: bool = False,
+        off_screen: bool = False,
+        screenshot: str | Path | None = None,
+        sides: int = 24,
+        size: tuple[int, int] = (1024, 768),
+    ) -> Any:
+        """Shows the rods in space with pyvista: in a window, or as an image without one."""
+
+    @borrowed("pyrod.pictures.page:write_html")
+    def to_html(self, path: str | Path, colour_by: str | None = None, *, sides: int = 16) -> None:
+        """Writes an interactive picture as one HTML file that needs no network."""
+
+    @borrowed("pyrod.files:save")
+    def save(self, path: str | Path, **options: Any) -> None:
+        """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
+
     def __repr__(self) -> str:
         how = "" if self.converged else f", {self.status}"
         stable = {None: "no potential", True: "stable", False: f"index {self.index}"}[self.stable]
@@ -312,3 +355,14 @@ def _direction(vector: Array) -> str:
 
 def _size(vectors: list[Array]) -> float:
     return float(np.linalg.norm(vectors, axis=1).sum())
+
+
+def longest(vectors: Array) -> float:
+    """The largest Euclidean norm of the rows."""
+    return float(np.linalg.norm(vectors, axis=1).max())
+
+
+def largest_turn(a: RodEquilibrium, b: RodEquilibrium) -> float:
+    """The largest angle between the frames of two shapes at the same vertex [rad]."""
+    turn = multiply(conjugate(a.vertex_frames), b.vertex_frames)
+    return float(2 * np.arctan2(np.linalg.norm(turn[:, 1:], axis=1), np.abs(turn[:, 0])).max())

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from pyrod.base.immutable import Array
+from pyrod.result.equilibrium import RodEquilibrium
 from pyrod.rotation import to_matrix
-
-if TYPE_CHECKING:
-    from pyrod.result.equilibrium import RodEquilibrium
 
 Place = Literal["vertex", "edge"]
 
@@ -74,11 +72,6 @@ def between_edges(values: Array) -> Array:
     """At vertices, (n + 1, ...), of what edges have: means of neighbours, at the ends theirs."""
     v = values
     return np.concatenate([v[:1], (v[:-1] + v[1:]) / 2, v[-1:]])
-
-
-def longest(vectors: Array) -> float:
-    """The largest Euclidean norm of the rows."""
-    return float(np.linalg.norm(vectors, axis=1).max())
 
 
 def field(rod: RodEquilibrium, name: str) -> Field:

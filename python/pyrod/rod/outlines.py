@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from math import sqrt
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyrod.rod.law import within
 from pyrod.rod.outline import Outline
 from pyrod.rod.place import End, checked, on_rod
-
-if TYPE_CHECKING:
-    from pyrod.rod.rod import Rod
+from pyrod.rod.rod import Rod
 
 SIZE = 0.02  # of made-up outlines, over the length of the rod
 THINNEST = 1 / 20  # height over width or the other way round, so that they can be seen
@@ -28,8 +25,24 @@ def outlines(rod: Rod) -> tuple[tuple[Outline, Outline], ...]:
 
 
 def outline_at(rod: Rod, at: End | float) -> Outline:
-    """The outline at a place, just behind it where sections jump."""
-    s = on_rod(checked(at), (rod,))[1]
+    """The outline of the cross-section at a place.
+
+    Between vertices it is linear; where sections jump it is that just behind.
+
+    Parameters
+    ----------
+    rod : the rod.
+    at : "start", "end" or an arc length [m].
+
+    A section that was given by its stiffnesses has none (``Section.outline``). Then one is made
+    up: the rectangle, a fiftieth of the rod's length in size, whose proportions have the ratio
+    EI1/EI2; its thinner side is drawn no thinner than a twentieth of the other.
+
+    Raises
+    ------
+    ValueError : the place is not on the rod.
+    """
+    s = on_rod(checked(at), [rod.length])[1]
     edge = int(np.clip(np.searchsorted(rod.arc_lengths, s, "right") - 1, 0, rod.edges - 1))
     part = (s - rod.arc_lengths[edge]) / rod.edge_lengths[edge]
     return within(outlines(rod)[edge], part)  # type: ignore[return-value]

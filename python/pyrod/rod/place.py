@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, Union
+from collections.abc import Sequence
+from typing import Literal, Union
 
 import numpy as np
 
 from pyrod.base.arrays import number_as
-
-if TYPE_CHECKING:
-    from pyrod.rod.rod import Rod
 
 End = Literal["start", "end"]
 Place = Union[End, float, tuple[int, Union[End, float]]]
@@ -38,12 +36,12 @@ def _on_one(at: End | float) -> End | float:
     return s
 
 
-def on_rod(at: Place, rods: tuple[Rod, ...]) -> tuple[int, float]:
-    """The number of the rod, and the arc length on it."""
+def on_rod(at: Place, lengths: Sequence[float]) -> tuple[int, float]:
+    """The number of the rod, and the arc length on it; rods have these lengths."""
     number, place = at if isinstance(at, tuple) else (0, at)
-    if number >= len(rods):
-        raise ValueError(f"at: there is no rod {number}, the scene has {len(rods)}")
-    length = rods[number].length
+    if number >= len(lengths):
+        raise ValueError(f"at: there is no rod {number}, the scene has {len(lengths)}")
+    length = lengths[number]
     if isinstance(place, str):
         return number, 0.0 if place == "start" else length
     if not -1e-12 * length <= place <= length * (1 + 1e-12):

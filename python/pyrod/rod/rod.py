@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod.base.arrays import array, finite, rows
+from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
 from pyrod.curve._sampling import edge_lengths, natural_edges
 from pyrod.rod.along import Curvature, Sections, masses
@@ -238,26 +239,9 @@ class Rod(Immutable):
         """(n + 1,) length of the cell of each vertex, half edges at the ends [m]."""
         return np.convolve(self.edge_lengths, [0.5, 0.5])
 
-    def outline(self, at: End | float) -> Outline:
-        """The outline of the cross-section at a place.
-
-        Between vertices it is linear; where sections jump it is that just behind.
-
-        Parameters
-        ----------
-        at : "start", "end" or an arc length [m].
-
-        A section that was given by its stiffnesses has none (``Section.outline``). Then one is made
-        up: the rectangle, a fiftieth of the rod's length in size, whose proportions have the ratio
-        EI1/EI2; its thinner side is drawn no thinner than a twentieth of the other.
-
-        Raises
-        ------
-        ValueError : the place is not on the rod.
-        """
-        from pyrod.rod.outlines import outline_at
-
-        return outline_at(self, at)
+    @borrowed("pyrod.rod.outlines:outline_at")
+    def outline(self, at: End | float) -> Outline:  # type: ignore[empty-body]
+        """The outline of the cross-section at a place."""
 
     def placed(
         self,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,9 +15,7 @@ from pyrod.base.arrays import whole
 from pyrod.base.immutable import Array, Immutable, frozen, vector
 from pyrod.curve._sampling import along, sampled
 from pyrod.rod.place import Place, checked
-
-if TYPE_CHECKING:
-    from pyrod.rod.rod import Rod
+from pyrod.rod.rod import Rod
 
 Along = Union[Array, Callable[[float], ArrayLike]]
 

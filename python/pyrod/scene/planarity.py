@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -12,11 +12,8 @@ from pyrod.base.immutable import Array
 from pyrod.rod.place import on_rod
 from pyrod.rotation import conjugate, multiply, rotate
 from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment, on_edges
-from pyrod.scene.scene import checked_scene
+from pyrod.scene.scene import Scene, checked_scene
 from pyrod.scene.supports import Clamp
-
-if TYPE_CHECKING:
-    from pyrod.scene.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -88,7 +85,8 @@ def _leaving(scene: Scene, across: int) -> Iterator[str]:
 
 
 def _rods(scene: Scene, plane: _Plane) -> Iterator[str]:
-    clamped = {on_rod(s.at, scene.rods)[0] for s in scene.supports if s.holds_frame}
+    lengths = [rod.length for rod in scene.rods]
+    clamped = {on_rod(s.at, lengths)[0] for s in scene.supports if s.holds_frame}
     for number, rod in enumerate(scene.rods):
         for i in plane.within:
             if rod.K0[:, i].any():
@@ -156,7 +154,7 @@ def _acting(load: Any, scene: Scene) -> Iterator[tuple[int, Array]]:
             yield number, (rod.mass_per_length * rod.edge_lengths)[:, None] * load.acceleration
     elif isinstance(load, (Force, Moment)):
         value = load.force if isinstance(load, Force) else load.moment
-        yield on_rod(load.at, scene.rods)[0], value[None]
+        yield on_rod(load.at, [rod.length for rod in scene.rods])[0], value[None]
     else:
         is_force = isinstance(load, DistributedForce)
         name = "force_per_length" if is_force else "moment_per_length"

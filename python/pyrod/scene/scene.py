@@ -6,10 +6,11 @@ import operator
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any, Literal
 
 import pyrod._core as _core
-from pyrod._savable import Savable
+from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, sealed
 from pyrod.rod.place import Place
 from pyrod.rod.rod import Rod
@@ -21,7 +22,7 @@ Space = Literal["planar", "spatial"]
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
-class Scene(Immutable, Savable):
+class Scene(Immutable):
     """Rods, what holds and joins them, and what acts on them.
 
     Parameters
@@ -159,6 +160,10 @@ class Scene(Immutable, Savable):
     def _held(self, number: int) -> tuple[Array, Array]:
         return sealed(self._core.held(number))
 
+    @borrowed("pyrod.files:save")
+    def save(self, path: str | Path, **options: Any) -> None:
+        """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
+
     def __repr__(self) -> str:
         rods = repr(self.rods[0]) if len(self.rods) == 1 else f"{len(self.rods)} rods"
         if self.is_cantilever:
@@ -208,6 +213,16 @@ def checked_scene(scene: Any) -> Scene:
     elif isinstance(scene, (list, tuple)):
         hint = "; for several there is solve_many"
     raise TypeError(f"scene: expected a Scene, got a {type(scene).__name__}{hint}")
+
+
+def on_its_grid(scene: Scene) -> Scene:
+    """The scene on the edges that it has: none are left to the solver."""
+    return rebuilt(scene, tuple(rod._refined(0) for rod in scene.rods), scene.space)
+
+
+def rebuilt(scene: Scene, rods: tuple[Rod, ...], space: Space) -> Scene:
+    """The scene with other rods of the same shapes, in a space."""
+    return Scene(rods, scene.supports, scene.loads, space, scene.joints)
 
 
 def _on_grid(rods: tuple[Rod, ...], made: list[_core.Rod | None]) -> tuple[Rod, ...]:

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod._core import Options
-from pyrod.base.arrays import number_as
-from pyrod.result.accuracy import accuracy_of
+from pyrod.result.accuracy import accuracy_of, checked_tolerance
 from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
 from pyrod.rotation import as_frames
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from pyrod.scene.scene import Scene
+from pyrod.scene.scene import Scene
 
 
 class How(NamedTuple):
@@ -28,17 +25,6 @@ class How(NamedTuple):
     def checked(self) -> How:
         """The same; refuses a tolerance that is none."""
         return self._replace(tol=checked_tolerance(self.tol))
-
-
-def checked_tolerance(tol: float | None) -> float | None:
-    """The tolerance, if it is one."""
-    if tol is None:
-        return None
-    wanted = "must be a number in (0, 0.1]"
-    value = 0.0 if isinstance(tol, bool) else number_as(tol, "tol", wanted)
-    if not 0 < value <= 0.1:
-        raise ValueError(f"tol: {wanted}, got {tol!r}")
-    return value
 
 
 def start_of(start: Equilibrium | ArrayLike | None, scene: Scene) -> Any:

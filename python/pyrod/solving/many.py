@@ -10,11 +10,11 @@ import pyrod._core as _core
 from pyrod._core import Options
 from pyrod.base.arrays import whole
 from pyrod.base.progress import Progress, shown
-from pyrod.models.solve import judge
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
 from pyrod.scene.scene import Scene, checked_scene
 from pyrod.solving.job import How, equilibrium_of, start_of
+from pyrod.solving.run import judge
 
 
 def solve_many(

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike
 from pyrod._core import Options
 from pyrod.base.arrays import number
 from pyrod.base.immutable import Array, Immutable
-from pyrod.models.solve import solve, warn_of
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import AccuracyWarning
 from pyrod.scene.scene import Scene, checked_scene
+from pyrod.solving.run import solved, warn_of
 from pyrod.stability.grids import Grids
 from pyrod.stability.limit import limit_of
 from pyrod.stability.path import Path
@@ -62,7 +62,7 @@ class Critical(Immutable):
         if self.kind == "none":
             raise ValueError("buckled: no critical load was found, see kind")
         scene = self._path.scene((1 + beyond) * self.grid_factor)
-        return solve(scene, start=self.equilibrium.along_mode(amplitude))
+        return solved(scene, start=self.equilibrium.along_mode(amplitude))
 
     def __repr__(self) -> str:
         if self.kind == "none":

@@ -7,11 +7,10 @@ from numpy.typing import ArrayLike
 
 from pyrod._core import Options
 from pyrod.base.immutable import Array
-from pyrod.models.effects import on_its_grid
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.rotation import as_frames
 from pyrod.scene.loads import any_function
-from pyrod.scene.scene import Scene
+from pyrod.scene.scene import Scene, on_its_grid
 from pyrod.stability.path import Path
 from pyrod.stability.reach import Reach
 from pyrod.stability.state import Loss, halved

@@ -7,12 +7,12 @@ from math import inf, nan
 from pyrod._core import Options
 from pyrod.base.immutable import Array
 from pyrod.base.optional import need
-from pyrod.models.solve import found
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
 from pyrod.scene.loads import sampled_load, scaled_load
 from pyrod.scene.scene import Scene
 from pyrod.solving.job import How
+from pyrod.solving.run import run
 from pyrod.stability.fold import fold_of
 from pyrod.stability.reach import Reach
 from pyrod.stability.state import Loss, State, halved, turn_between
@@ -72,7 +72,7 @@ class Path:
     def solved(self, factor: float, start: Equilibrium | Array | None) -> Equilibrium:
         """The equilibrium to which Newton's method leads from another."""
         how = How(self._options, stable=False, eigenvalue=True, tol=None)
-        result = found(self.scene(factor), how, start=start)
+        result = run(self.scene(factor), how, start)
         if not result.converged:
             raise NotConverged(result)
         return result

@@ -7,8 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pyrod.base.immutable import Array
-from pyrod.models.effects import largest_turn
-from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium, RodEquilibrium, largest_turn
 
 Kind = Literal["bifurcation", "limit point", "none"]
 

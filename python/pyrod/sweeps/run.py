@@ -10,8 +10,9 @@ from typing import Any, Literal, get_args
 
 from pyrod._core import Options
 from pyrod.base.progress import Progress, shown
+from pyrod.result.accuracy import checked_tolerance
 from pyrod.rod.section import Model
-from pyrod.solving.job import How, checked_tolerance
+from pyrod.solving.job import How
 from pyrod.sweeps.build import Source, builder_of
 from pyrod.sweeps.cases import Cases, Parameters, cases_of
 from pyrod.sweeps.measures import Measure, summary

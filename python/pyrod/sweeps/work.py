@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from time import perf_counter
 from typing import Any, Literal, NamedTuple
 
-from pyrod.models.solve import doubts, found
+from pyrod.models.solve import found
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
 from pyrod.rod.section import Model
 from pyrod.scene.scene import Scene
 from pyrod.solving.job import How
+from pyrod.solving.run import doubts
 from pyrod.sweeps.measures import Measure, plain
 
 Numbered = tuple[int, dict[str, Any]]
