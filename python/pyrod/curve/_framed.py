@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod.base.arrays import array, number
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
-from pyrod.curve._knots import whole as whole_link
+from pyrod.curve._knots import nearest_whole
 from pyrod.curve._polyline import Polyline
 from pyrod.curve._reading import between_vertices, check_count, check_reading, held, signed
 from pyrod.curve._sampling import edge_lengths as lengths_of
@@ -298,7 +298,7 @@ class FramedCurve(Immutable):
             raise ValueError(
                 f"frames[{worst}]: a3 is not along the edge; take adapted(), whose frames are"
             )
-        return whole_link(self.twist + self.polyline.writhe(threads))
+        return nearest_whole(self.twist + self.polyline.writhe(threads))
 
     def edge(self, distance: float, threads: int = 0) -> Polyline:
         """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame.

@@ -14,7 +14,7 @@ class Approach(NamedTuple):
     other: int
 
 
-def whole(value: float) -> int:
+def nearest_whole(value: float) -> int:
     """The whole number that a sum of angles must be."""
     if abs(value - round(value)) > 1e-6:
         raise ArithmeticError(

@@ -6,8 +6,8 @@ from typing import Union
 
 from numpy.typing import ArrayLike
 
-from pyrod.base.arrays import whole as whole_number
-from pyrod.curve._knots import whole
+from pyrod.base.arrays import whole
+from pyrod.curve._knots import nearest_whole
 from pyrod.curve._polyline import Polyline, as_polyline
 
 
@@ -22,4 +22,4 @@ def linking_number(
     a, b = as_polyline(a, "a", closed=True), as_polyline(b, "b", closed=True)
     a._require_closed("linking_number")
     b._require_closed("linking_number")
-    return whole(a._arc.gauss_integral(b._arc, whole_number(threads, "threads")))
+    return nearest_whole(a._arc.gauss_integral(b._arc, whole(threads, "threads")))

@@ -10,12 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import array, number, precision, yes_or_no
-from pyrod.base.arrays import whole as whole_number
+from pyrod.base.arrays import array, number, precision, whole, yes_or_no
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed
 from pyrod.curve._ends import Ends, is_torsion, with_ends
-from pyrod.curve._knots import Approach, whole
+from pyrod.curve._knots import Approach, nearest_whole
 from pyrod.curve._points import (
     direction,
     inflections,
@@ -316,7 +315,7 @@ class Polyline(Immutable):
                 "positions: the last point is the first again; leave it out and make the polyline "
                 "with closed=True"
             )
-        return self._arc.writhe(whole_number(threads, "threads"))
+        return self._arc.writhe(whole(threads, "threads"))
 
     def frenet_link(self, threads: int = 0) -> int:
         """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi.
@@ -332,7 +331,7 @@ class Polyline(Immutable):
                 f"frenet_link: on the edges {some} the binormal turns by pi within rounding, an "
                 "inflection, where the Frenet ribbon has no link; take writhe, or closed_ribbon"
             )
-        return whole(self.writhe(threads) + self.dihedral_angles.sum() / (2 * np.pi))
+        return nearest_whole(self.writhe(threads) + self.dihedral_angles.sum() / (2 * np.pi))
 
     def self_approach(self, threads: int = 0) -> Approach:
         """Smallest distance between two parts of the arc that are not near along it. O(n^2).
@@ -340,7 +339,7 @@ class Polyline(Immutable):
         Two edges count if the way between their centres is more than one and a half times as long
         along the arc as it is straight: on a circle, if they are nearly opposite.
         """
-        return Approach(*self._arc.self_approach(whole_number(threads, "threads")))
+        return Approach(*self._arc.self_approach(whole(threads, "threads")))
 
     def approach(self, other: Union[Polyline, ArrayLike], threads: int = 0) -> Approach:
         """Smallest distance between an edge of this and an edge of another. O(n m).
@@ -348,7 +347,7 @@ class Polyline(Immutable):
         Positions are taken for those of an open one.
         """
         arc = as_polyline(other, "other", closed=False)._arc
-        return Approach(*self._arc.approach(arc, whole_number(threads, "threads")))
+        return Approach(*self._arc.approach(arc, whole(threads, "threads")))
 
     def _require_closed(self, what: str) -> None:
         if not self.closed:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod.base.arrays import Array
-from pyrod.base.arrays import whole as whole_number
+from pyrod.base.arrays import Array, whole
 from pyrod.curve._framed import FramedCurve
 from pyrod.curve._polyline import NO_ANGLE, Polyline
 from pyrod.rotation import frame_along, unit_frame
@@ -55,7 +54,7 @@ def closed_ribbon(arc: Polyline, link: int, normal: ArrayLike | None = None) -> 
     O(n^2), for the writhe.
     """
     arc._require_closed("closed_ribbon")
-    link = whole_number(link, "link")
+    link = whole(link, "link")
     twist = 2 * np.pi * (link - arc.writhe()) * arc.cell_lengths / arc.length
     worst = int(np.argmax(np.abs(twist)))
     if not abs(twist[worst]) < np.pi:

@@ -32,11 +32,11 @@ def load_file(path: str | Path) -> Content:
     text = text_of(path)
     document = parsed(path, text)
     if path.suffix == ".json":
-        return told(path, document)
-    return told(path, document, text)
+        return content_of(path, document)
+    return content_of(path, document, text)
 
 
-def told(path: Path, document: dict[str, Any], toml: str | None = None) -> Content:
+def content_of(path: Path, document: dict[str, Any], toml: str | None = None) -> Content:
     """What the document of a file tells; its text, if it is TOML, for the lines of errors."""
     try:
         return content(document)

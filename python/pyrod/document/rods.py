@@ -12,7 +12,7 @@ from pyrod.curve import Polyline
 from pyrod.curve._sampling import natural_edges
 from pyrod.document.problems import Here
 from pyrod.document.schema import MOST_EDGES, ROD, Jump
-from pyrod.rod.along import Ends, Sections
+from pyrod.rod.along import EndOutlines, Sections
 from pyrod.rod.law import NO_JUMPS, Jumps, Made, Points, Table
 from pyrod.rod.outline import Outline
 from pyrod.rod.rod import Rod
@@ -101,7 +101,7 @@ def outline_of(shape: dict[str, Any]) -> Outline | None:
     return Outline.from_dict(shape) if shape else None
 
 
-def _shapes(shapes: Any, edges: int) -> tuple[Ends, ...]:
+def _shapes(shapes: Any, edges: int) -> tuple[EndOutlines, ...]:
     if isinstance(shapes, dict):
         one = outline_of(shapes)
         return ((one, one),) * edges if one else ()

@@ -7,17 +7,17 @@ from typing import NamedTuple, get_args
 from pyrod._core import Options
 from pyrod.base.immutable import Array
 from pyrod.document import units as u
-from pyrod.document.tables import REQUIRED, Key, Kind, Listed, Named, OneOf, OneOrEach
+from pyrod.document.tables import REQUIRED, Form, Key, Listed, Named, OneOf, OneOrEach
 from pyrod.document.types import (
     FLAG,
     TEXT,
-    Choice,
     Name,
     Number,
     Numbers,
     PlaceOnRod,
     RodNumber,
     Type,
+    Words,
     vector,
     whole,
 )
@@ -41,19 +41,19 @@ _EACH = ((None, 3),)
 _ALONG = ((3,), (None, 3))
 _LENGTHS = Numbers(u.LENGTH, ((None,),))
 
-MATERIAL = Kind.of(
+MATERIAL = Form.of(
     "material", Material, E=Number(u.PRESSURE), nu=Number(u.NONE), density=Number(u.DENSITY)
 )
 
 _length, _corners = Number(u.LENGTH), Numbers(u.LENGTH, ((None, 2),))
 SHAPES = {
-    "circle": Kind.of("circle", Outline.circle, radius=_length),
-    "tube": Kind.of("tube", Outline.tube, outer_radius=_length, inner_radius=_length),
-    "rectangle": Kind.of("rectangle", Outline.rectangle, width=_length, height=_length),
-    "polygon": Kind.of("polygon", Outline.polygon, points=_corners, hole=_corners),
+    "circle": Form.of("circle", Outline.circle, radius=_length),
+    "tube": Form.of("tube", Outline.tube, outer_radius=_length, inner_radius=_length),
+    "rectangle": Form.of("rectangle", Outline.rectangle, width=_length, height=_length),
+    "polygon": Form.of("polygon", Outline.polygon, points=_corners, hole=_corners),
 }
-OUTLINE = Kind("outline", dict, {name: Key(shape) for name, shape in SHAPES.items()})
-STIFFNESSES = Kind.of(
+OUTLINE = Form("outline", dict, {name: Key(shape) for name, shape in SHAPES.items()})
+STIFFNESSES = Form.of(
     "section",
     Section,
     EI1=Number(u.BENDING_STIFFNESS),
@@ -64,7 +64,7 @@ STIFFNESSES = Kind.of(
     EA=Number(u.FORCE),
     mass_per_length=Number(u.MASS_PER_LENGTH),
 )
-SECTION = Kind(
+SECTION = Form(
     "section",
     Section,
     {
@@ -83,14 +83,14 @@ class Jump(NamedTuple):
     K0: Array  #: (2, 3)
 
 
-JUMP = Kind.of(
+JUMP = Form.of(
     "jump",
     Jump,
     vertex=whole(1),
     bending=Numbers(u.BENDING_STIFFNESS, ((2, 3),)),
     K0=Numbers(u.CURVATURE, ((2, 3),)),
 )
-ROD = Kind(
+ROD = Form(
     "rod",
     dict,
     {
@@ -100,7 +100,7 @@ ROD = Kind(
         "edges": Key(whole(1, MOST_EDGES)),
         "edge_lengths": Key(_LENGTHS),
         "curvature": Key(Numbers(u.CURVATURE, _ALONG)),
-        "model": Key(Choice(get_args(Model))),
+        "model": Key(Words(get_args(Model))),
         "position": Key(_POINT),
         "frame": Key(_FRAME),
         "tangent": Key(_DIRECTION),
@@ -122,9 +122,9 @@ ROD = Kind(
 SUPPORTS = OneOf(
     "support",
     {
-        "clamp": Kind.of("clamp", Clamp, at=_AT, **_TURNED, turns=whole()),
-        "hinge": Kind.of("hinge", Hinge, at=_AT, position=_POINT),
-        "slider": Kind.of(
+        "clamp": Form.of("clamp", Clamp, at=_AT, **_TURNED, turns=whole()),
+        "hinge": Form.of("hinge", Hinge, at=_AT, position=_POINT),
+        "slider": Form.of(
             "slider",
             Slider,
             at=_AT,
@@ -133,9 +133,9 @@ SUPPORTS = OneOf(
             **_PLACED,
             clamped=FLAG,
         ),
-        "sleeve": Kind.of("sleeve", Sleeve, at=_AT, **_TURNED),
-        "pivot": Kind.of("pivot", Pivot, at=_AT, axis=_DIRECTION, **_PLACED, along=_DIRECTION),
-        "spring": Kind.of(
+        "sleeve": Form.of("sleeve", Sleeve, at=_AT, **_TURNED),
+        "pivot": Form.of("pivot", Pivot, at=_AT, axis=_DIRECTION, **_PLACED, along=_DIRECTION),
+        "spring": Form.of(
             "spring",
             Spring,
             at=_AT,
@@ -150,29 +150,29 @@ _along: dict[str, Type] = {"rod": RodNumber(), "follower": FLAG}
 LOADS = OneOf(
     "load",
     {
-        "force": Kind.of("force", Force, force=vector(u.FORCE), at=_AT, follower=FLAG),
-        "moment": Kind.of("moment", Moment, moment=vector(u.MOMENT), at=_AT, follower=FLAG),
-        "distributed_force": Kind.of(
+        "force": Form.of("force", Force, force=vector(u.FORCE), at=_AT, follower=FLAG),
+        "moment": Form.of("moment", Moment, moment=vector(u.MOMENT), at=_AT, follower=FLAG),
+        "distributed_force": Form.of(
             "distributed force",
             DistributedForce,
             force_per_length=Numbers(u.FORCE_PER_LENGTH, _ALONG),
             **_along,
         ),
-        "distributed_moment": Kind.of(
+        "distributed_moment": Form.of(
             "distributed moment",
             DistributedMoment,
             moment_per_length=Numbers(u.FORCE, _ALONG),
             **_along,
         ),
-        "gravity": Kind.of("gravity", Gravity, acceleration=vector(u.ACCELERATION)),
+        "gravity": Form.of("gravity", Gravity, acceleration=vector(u.ACCELERATION)),
     },
 )
 
-JOINT = Kind.of(
+JOINT = Form.of(
     "joint",
     Joint,
     points=Listed(_AT, 2),
-    kind=Choice(("rigid", "hinge", "ball")),
+    kind=Words(("rigid", "hinge", "ball")),
     turns=whole(),
     aligned=FLAG,
     axis=_DIRECTION,
@@ -182,24 +182,24 @@ OPTIONS = {
     name: whole() if isinstance(value, int) else Number(u.NONE)
     for name, value in Options().__getstate__().items()
 }
-SOLVE = Kind(
+SOLVE = Form(
     "solve",
     dict,
     {
         "tol": Key(Number(u.NONE)),
-        "model": Key(Choice(("auto", *get_args(Model)))),
+        "model": Key(Words(("auto", *get_args(Model)))),
         "stable": Key(FLAG),
         "eigenvalue": Key(FLAG),
         **{name: Key(key) for name, key in OPTIONS.items()},
     },
 )
 
-SCENE = Kind(
+SCENE = Form(
     "scene",
     Scene,
     {
         "title": Key(TEXT),
-        "space": Key(Choice(get_args(Space)), "spatial"),
+        "space": Key(Words(get_args(Space)), "spatial"),
         "materials": Key(Named(MATERIAL)),
         "sections": Key(Named(SECTION)),
         "rods": Key(Listed(ROD, 1), REQUIRED),

@@ -22,7 +22,7 @@ class Key(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Kind:
+class Form:
     """A kind of table, and what is made from its values."""
 
     name: str
@@ -30,10 +30,10 @@ class Kind:
     keys: dict[str, Key]
 
     @staticmethod
-    def of(name: str, make: Callable[..., Any], **types: Type) -> Kind:
+    def of(name: str, make: Callable[..., Any], **types: Type) -> Form:
         """Defaults are those of what is called to make it."""
         known = signature(make).parameters
-        return Kind(name, make, {key: Key(t, known[key].default) for key, t in types.items()})
+        return Form(name, make, {key: Key(t, known[key].default) for key, t in types.items()})
 
     @property
     def text(self) -> str:
@@ -70,14 +70,14 @@ class OneOf:
     """A table whose key "kind" tells which of several kinds it is."""
 
     name: str
-    kinds: dict[str, Kind]
+    kinds: dict[str, Form]
 
     @property
     def text(self) -> str:
         """In words."""
         return f"table of {a(self.name)}"
 
-    def read(self, value: Any, here: Here) -> tuple[Kind, Any] | None:
+    def read(self, value: Any, here: Here) -> tuple[Form, Any] | None:
         """The kind, and the values of the keys."""
         if not isinstance(value, dict):
             return here.wrong(f"expected a {self.text}, got {shown(value)}")
@@ -126,7 +126,7 @@ class Listed:
 class OneOrEach:
     """A table for all edges of a rod, or two for each edge: at its start and at its end."""
 
-    kind: Kind
+    kind: Form
 
     @property
     def text(self) -> str:
@@ -149,7 +149,7 @@ class OneOrEach:
 class Named:
     """Tables of one kind by name."""
 
-    kind: Kind
+    kind: Form
 
     @property
     def text(self) -> str:

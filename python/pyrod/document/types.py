@@ -142,7 +142,7 @@ def whole(least: int | None = None, most: int | None = None) -> Plain:
 
 
 @dataclass(frozen=True)
-class Choice:
+class Words:
     """One of some words."""
 
     words: tuple[str, ...]

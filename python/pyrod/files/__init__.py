@@ -7,7 +7,7 @@ from inspect import Parameter, signature
 from pathlib import Path
 from typing import Any
 
-from pyrod.document.files import load_file, parsed, scene_text, text_of, told
+from pyrod.document.files import content_of, load_file, parsed, scene_text, text_of
 from pyrod.files.archives import is_result, load_json, load_npz, save_json, save_npz
 from pyrod.files.atomic import check_place, replacing
 from pyrod.files.pictures import save_html, save_picture
@@ -122,4 +122,4 @@ def load(path: str | Path) -> Scene | Equilibrium:
             "hold too little to be loaded"
         )
     document = parsed(path, text_of(path))
-    return load_json(path, document) if is_result(document) else told(path, document).scene
+    return load_json(path, document) if is_result(document) else content_of(path, document).scene

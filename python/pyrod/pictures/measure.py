@@ -6,14 +6,14 @@ from typing import NamedTuple
 
 from pyrod.base.immutable import Array
 from pyrod.result.equilibrium import Equilibrium
-from pyrod.result.fields import FRAME, KINDS, Kind, Place, between_edges, field
+from pyrod.result.fields import FRAME, KINDS, Carrier, Kind, between_edges, field
 
 
-class Measure(NamedTuple):
+class Colouring(NamedTuple):
     """A component or the magnitude of a quantity, of each rod."""
 
     label: str  #: with symbol and unit
-    place: Place
+    place: Carrier
     values: tuple[Array, ...]  #: (n + 1,) or (n,) of each rod
 
     @property
@@ -29,7 +29,7 @@ class Measure(NamedTuple):
         return min(v.min() for v in self.values), max(v.max() for v in self.values)
 
 
-def measure(result: Equilibrium, of: str) -> Measure:
+def measure(result: Equilibrium, of: str) -> Colouring:
     """What a name stands for.
 
     Parameters
@@ -47,13 +47,13 @@ def measure(result: Equilibrium, of: str) -> Measure:
     kind = KINDS[name]
     if not point:
         symbol = f"|{kind.symbol}|" if kind.components else kind.symbol
-        return Measure(labelled(kind, symbol), kind.place, tuple(one.magnitude for one in found))
+        return Colouring(labelled(kind, symbol), kind.place, tuple(one.magnitude for one in found))
     if component not in kind.components:
         there = ", ".join(f"{name}.{c}" for c in kind.components) or "no components"
         raise ValueError(f"quantity: {name} has {there}; got {of!r}")
     column = kind.components.index(component)
     values = tuple(one.values[:, column] for one in found)
-    return Measure(labelled(kind, symbol_of(kind, component)), kind.place, values)
+    return Colouring(labelled(kind, symbol_of(kind, component)), kind.place, values)
 
 
 def measures() -> tuple[str, ...]:

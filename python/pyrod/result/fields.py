@@ -10,7 +10,7 @@ from pyrod.base.immutable import Array
 from pyrod.result.equilibrium import RodEquilibrium
 from pyrod.rotation import to_matrix
 
-Place = Literal["vertex", "edge"]
+Carrier = Literal["vertex", "edge"]
 
 SPACE = ("x", "y", "z")
 FRAME = ("1", "2", "3")
@@ -23,7 +23,7 @@ class Kind(NamedTuple):
     label: str  #: in words
     symbol: str  #: as in docs/notation.md
     unit: str  #: SI
-    place: Place  #: what has a row: vertices (n + 1) or edges (n)
+    place: Carrier  #: what has a row: vertices (n + 1) or edges (n)
     components: tuple[str, ...]  #: names of the columns; none of a scalar
 
 

@@ -15,7 +15,7 @@ from pyrod.rod.section import Section
 
 Sections = Union[Section, Sequence[Section], Callable[[float], Section]]
 Curvature = Union[ArrayLike, Callable[[float], ArrayLike]]
-Ends = tuple[Outline | None, Outline | None]
+EndOutlines = tuple[Outline | None, Outline | None]
 """Outlines at the start and at the end of an edge, on its own side of where they jump."""
 
 
@@ -33,7 +33,7 @@ def section_rows(section: Sections, edges: int) -> Any:
     return np.array(rows)
 
 
-def outlines(section: Sections, h: Array) -> tuple[Ends, ...]:
+def outlines_of(section: Sections, h: Array) -> tuple[EndOutlines, ...]:
     """Outlines at both ends of each edge."""
     if isinstance(section, Section):
         return ((section.outline, section.outline),) * len(h)

@@ -11,7 +11,7 @@ import numpy as np
 import pyrod._core as _core
 from pyrod.base.arrays import Array
 from pyrod.curve._sampling import along
-from pyrod.rod.along import Curvature, Ends, Sections, outlines, section_rows
+from pyrod.rod.along import Curvature, EndOutlines, Sections, outlines_of, section_rows
 from pyrod.rod.outline import Outline
 from pyrod.rod.section import Model, Section
 
@@ -36,7 +36,7 @@ class Law(Protocol):
     @property
     def corners(self) -> bool: ...
 
-    def outlines(self, h: Array) -> tuple[Ends, ...]: ...
+    def outlines(self, h: Array) -> tuple[EndOutlines, ...]: ...
 
     def compiled(self, model: Model | None, place: Placement, chooses: bool) -> _core.Rod: ...
 
@@ -66,8 +66,8 @@ class Made:
             *place,
         )
 
-    def outlines(self, h: Array) -> tuple[Ends, ...]:
-        return outlines(self._sections(h), h)
+    def outlines(self, h: Array) -> tuple[EndOutlines, ...]:
+        return outlines_of(self._sections(h), h)
 
     def _sections(self, h: Array) -> Sections:
         if not isinstance(self.section, (list, tuple)) or h is self.base:
@@ -115,7 +115,7 @@ class Table:
     stretching: Array
     K0: Array
     mass: Array
-    shapes: tuple[Ends, ...] = ()
+    shapes: tuple[EndOutlines, ...] = ()
     """Outlines of the edges, linear along each; empty: none are known."""
     corners: bool = False
     jumps: Jumps = NO_JUMPS
@@ -131,7 +131,7 @@ class Table:
     def asks(self) -> bool:
         return self.corners and bool(self.K0.any())
 
-    def outlines(self, h: Array) -> tuple[Ends, ...]:
+    def outlines(self, h: Array) -> tuple[EndOutlines, ...]:
         if not self.shapes:
             return ((None, None),) * len(h)
         s, start = _arc_lengths(h), _arc_lengths(self.base)
@@ -143,14 +143,14 @@ class Table:
         )
 
 
-def kept_outlines(law: Law | None, h: Array) -> tuple[Ends, ...]:
+def kept_outlines(law: Law | None, h: Array) -> tuple[EndOutlines, ...]:
     """What a law says of outlines, for a rod that has other arrays than it says."""
     if law is None or abs(law.base.sum() - h.sum()) > 1e-9 * h.sum():
         return ()
     return law.outlines(h)
 
 
-def within(ends: Ends, part: float) -> Outline | None:
+def within(ends: EndOutlines, part: float) -> Outline | None:
     """The outline between the ends of an edge, ``part`` of its length from the start."""
     a, b = ends
     if a is None or b is None:

@@ -20,14 +20,14 @@ from pyrod.stability.grids import Grids
 from pyrod.stability.limit import limit_of
 from pyrod.stability.path import Path
 from pyrod.stability.reach import Reach
-from pyrod.stability.state import Kind, Loss
+from pyrod.stability.state import Loss, LossKind
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Critical(Immutable):
     """Where an equilibrium loses its stability as its loads grow."""
 
-    kind: Kind
+    kind: LossKind
     """"bifurcation": the equilibrium goes on, but is unstable; "limit point": it comes to an end,
     and the rod snaps; "none": it is stable up to the largest factor that was tried."""
     factor: float  #: of the loads, extrapolated from three grids; infinite if there is none

@@ -9,7 +9,7 @@ import numpy as np
 from pyrod.base.immutable import Array
 from pyrod.result.equilibrium import Equilibrium, RodEquilibrium, largest_turn
 
-Kind = Literal["bifurcation", "limit point", "none"]
+LossKind = Literal["bifurcation", "limit point", "none"]
 
 
 class State(NamedTuple):
@@ -42,7 +42,7 @@ def turn_between(a: State, b: State) -> float:
 class Loss(NamedTuple):
     """Where stability is lost on a grid."""
 
-    kind: Kind
+    kind: LossKind
     at: State  #: there; of limit points, just below; if there is none, under the largest loads
     index_after: int | None  #: just above; None if there is no such equilibrium
     factor: float  #: infinite if there is none

@@ -11,7 +11,7 @@ from pyrod.result.equilibrium import Equilibrium
 from pyrod.sweeps.cases import RESERVED
 
 _KINDS = {"b": bool, "i": int, "u": int, "f": float}
-Measure = Callable[[Equilibrium], Mapping[str, Any]]
+Measuring = Callable[[Equilibrium], Mapping[str, Any]]
 
 
 def summary(result: Equilibrium) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from pyrod.rod.section import Model
 from pyrod.solving.job import How
 from pyrod.sweeps.build import Source, builder_of
 from pyrod.sweeps.cases import Cases, Parameters, cases_of
-from pyrod.sweeps.measures import Measure, summary
+from pyrod.sweeps.measures import Measuring, summary
 from pyrod.sweeps.spread import done
 from pyrod.sweeps.store import Store, identity
 from pyrod.sweeps.table import Sweep
@@ -26,7 +26,7 @@ def sweep(
     scene: Source,
     parameters: Parameters,
     *,
-    measure: Measure | None = None,
+    measure: Measuring | None = None,
     executor: Any = None,
     options: Options | None = None,
     tol: float | None = None,

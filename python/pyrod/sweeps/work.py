@@ -14,7 +14,7 @@ from pyrod.rod.section import Model
 from pyrod.scene.scene import Scene
 from pyrod.solving.job import How
 from pyrod.solving.run import doubts
-from pyrod.sweeps.measures import Measure, plain
+from pyrod.sweeps.measures import Measuring, plain
 
 Numbered = tuple[int, dict[str, Any]]
 """A case, and its parameters."""
@@ -36,7 +36,7 @@ class Work:
     """How cases are solved. It can be pickled if its functions can."""
 
     build: Callable[..., Scene]
-    measure: Measure
+    measure: Measuring
     how: How
     model: Literal["auto"] | Model | None
     keep: bool  #: the equilibria, too
