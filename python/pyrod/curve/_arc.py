@@ -35,3 +35,9 @@ class Arc(Protocol):
     @property
     def dihedral_angles(self) -> Array: ...
     def torsion(self, measure: Any = "log") -> Array: ...
+
+
+def require_closed(arc: Arc, what: str) -> None:
+    """Refuses open arcs, which have no such thing."""
+    if not arc.closed:
+        raise ValueError(f"{what}: only a closed polyline has one; make it with closed=True")

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod.base.arrays import array, number
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
+from pyrod.curve._arc import require_closed
 from pyrod.curve._knots import nearest_whole
 from pyrod.curve._polyline import Polyline
 from pyrod.curve._reading import between_vertices, check_count, check_reading, held, signed
@@ -291,7 +292,7 @@ class FramedCurve(Immutable):
 
         The frames must be adapted: the twist is that about the edges.
         """
-        self.polyline._require_closed("link")
+        require_closed(self.polyline, "link")
         away = np.abs(rotate(self.frames, [0.0, 0.0, 1.0]) - self.polyline.tangents).max(axis=1)
         worst = int(np.argmax(away))
         if away[worst] > 1e-9:

@@ -7,6 +7,7 @@ from typing import Union
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import whole
+from pyrod.curve._arc import require_closed
 from pyrod.curve._knots import nearest_whole
 from pyrod.curve._polyline import Polyline, as_polyline
 
@@ -20,6 +21,6 @@ def linking_number(
     for right-handed crossings.
     """
     a, b = as_polyline(a, "a", closed=True), as_polyline(b, "b", closed=True)
-    a._require_closed("linking_number")
-    b._require_closed("linking_number")
+    require_closed(a, "linking_number")
+    require_closed(b, "linking_number")
     return nearest_whole(a._arc.gauss_integral(b._arc, whole(threads, "threads")))

@@ -13,6 +13,7 @@ import pyrod._core as _core
 from pyrod.base.arrays import array, number, precision, whole, yes_or_no
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed
+from pyrod.curve._arc import require_closed
 from pyrod.curve._ends import Ends, is_torsion, with_ends
 from pyrod.curve._knots import Approach, nearest_whole
 from pyrod.curve._points import (
@@ -257,7 +258,7 @@ class Polyline(Immutable):
 
         Equal to 2 pi times the writhe, up to whole turns.
         """
-        self._require_closed("holonomy")
+        require_closed(self, "holonomy")
         return self._arc.holonomy()
 
     @borrowed("pyrod.curve._transport:closed_ribbon")
@@ -323,7 +324,7 @@ class Polyline(Immutable):
         Counts the arc's own crossings. Raises ``ValueError`` where the binormal turns by pi within
         rounding, as at the inflections of a plane curve: there the ribbon has no sides. O(n^2).
         """
-        self._require_closed("frenet_link")
+        require_closed(self, "frenet_link")
         at = inflections(self)
         if len(at):
             some = ", ".join(map(str, at[:8])) + (", ..." if len(at) > 8 else "")
@@ -348,10 +349,6 @@ class Polyline(Immutable):
         """
         arc = as_polyline(other, "other", closed=False)._arc
         return Approach(*self._arc.approach(arc, whole(threads, "threads")))
-
-    def _require_closed(self, what: str) -> None:
-        if not self.closed:
-            raise ValueError(f"{what}: only a closed polyline has one; make it with closed=True")
 
 
 def as_polyline(given: Union[Polyline, ArrayLike], name: str, closed: bool) -> Polyline:

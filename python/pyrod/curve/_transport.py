@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import Array, whole
+from pyrod.curve._arc import require_closed
 from pyrod.curve._framed import FramedCurve
 from pyrod.curve._polyline import NO_ANGLE, Polyline
 from pyrod.rotation import frame_along, unit_frame
@@ -53,7 +54,7 @@ def closed_ribbon(arc: Polyline, link: int, normal: ArrayLike | None = None) -> 
 
     O(n^2), for the writhe.
     """
-    arc._require_closed("closed_ribbon")
+    require_closed(arc, "closed_ribbon")
     link = whole(link, "link")
     twist = 2 * np.pi * (link - arc.writhe()) * arc.cell_lengths / arc.length
     worst = int(np.argmax(np.abs(twist)))

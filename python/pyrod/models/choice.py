@@ -9,9 +9,10 @@ import numpy as np
 
 from pyrod.base.arrays import number
 from pyrod.base.immutable import Array, Immutable
-from pyrod.models.effects import MODELS, Of, Quantity, effect, out_of_plane_index
+from pyrod.models.effects import Of, Quantity, effect, out_of_plane_index
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
+from pyrod.rod.models import MODELS
 from pyrod.rod.section import Model
 from pyrod.scene.planarity import is_planar
 from pyrod.scene.scene import Scene, Space, checked_scene, on_its_grid, rebuilt

@@ -12,6 +12,7 @@ import numpy as np
 from pyrod._core import Options
 from pyrod.base.immutable import Array, Immutable, frozen
 from pyrod.result.equilibrium import Equilibrium, largest_turn
+from pyrod.rod.models import STRAINS
 from pyrod.rod.rod import Rod
 from pyrod.rod.section import Model
 from pyrod.scene.planarity import is_planar
@@ -21,18 +22,12 @@ from pyrod.solving.run import solved
 Of = Literal["extension", "shear", "strains", "space"]
 Quantity = Callable[[Equilibrium], "float | Array"]
 
-_STRAINS: dict[Model, tuple[bool, bool, bool]] = {
-    "inextensible": (False, False, False),
-    "extensible": (False, False, True),
-    "cosserat": (True, True, True),
-}
 _ADDED = {
     "extension": (False, False, True),
     "shear": (True, True, False),
     "strains": (True, True, True),
     "space": (False, False, False),
 }
-MODELS: tuple[Model, ...] = ("inextensible", "extensible", "cosserat")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -174,12 +169,12 @@ def _with_strains(scene: Scene, of: Of) -> Scene | None:
 
 
 def _richer(rod: Rod, added: tuple[bool, ...]) -> Rod:
-    now = np.array(_STRAINS[rod.model])
+    now = np.array(STRAINS[rod.model])
     then = now | added
     stiffness = np.where(then, rod.stretching, np.inf)
     if np.array_equal(stiffness, np.where(now, rod.stretching, np.inf)):
         return rod
-    model: Model = "extensible" if tuple(then) == _STRAINS["extensible"] else "cosserat"
+    model: Model = "extensible" if tuple(then) == STRAINS["extensible"] else "cosserat"
     return replace(rod, model=model, stretching=stiffness)
 
 

@@ -11,6 +11,7 @@ from pyrod.base.optional import need
 from pyrod.pictures.measure import symbol_of
 from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.result.fields import KINDS, field
+from pyrod.rod.models import STRAINS
 
 PANELS = {"strains": ("K", "Gamma"), "forces": ("force", "moment")}
 """The quantities of a picture, one below the other."""
@@ -86,7 +87,7 @@ def _components(rod: RodEquilibrium, name: str) -> tuple[int, ...]:
     """Those that the model has: stretch only, or shear as well."""
     if name != "Gamma":
         return 0, 1, 2
-    return {"inextensible": (), "extensible": (2,), "cosserat": (0, 1, 2)}[rod.rod.model]
+    return tuple(i for i, has in enumerate(STRAINS[rod.rod.model]) if has)
 
 
 def _draw_values(
