@@ -65,12 +65,13 @@ CXX_FILES = $(shell find cpp tests/cpp benchmarks examples -name '*.[ch]pp')
 TIDY_FILES = $(shell find cpp/include -name '*.hpp')
 TIDY_FLAGS = -x c++ -std=c++20 -Icpp/include -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
 
-lint: $(VENV)/dev-tools ## check style and types
+lint: $(VENV)/dev-tools ## check style, types and layers
 	@$(VENV)/bin/ruff check
 	@$(VENV)/bin/ruff format --check
 	@$(VENV)/bin/clang-format --dry-run -Werror $(CXX_FILES)
 	@printf '%s\n' $(TIDY_FILES) | xargs -P $(JOBS) -I{} $(VENV)/bin/clang-tidy --quiet {} -- $(TIDY_FLAGS)
 	@$(VENV)/bin/mypy
+	@PYTHONPATH=python $(VENV)/bin/lint-imports
 
 format: $(VENV)/dev-tools ## format all sources in place
 	@$(VENV)/bin/ruff check --fix
@@ -81,7 +82,7 @@ stubs: $(VENV)/package $(VENV)/dev-tools ## regenerate the type stubs in python/
 	@$(PY) -m pybind11_stubgen --exit-code --output-dir python pyrod._core
 
 clean: ## remove everything these targets made
-	rm -rf build dist docs/gallery $(VENV) .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf build dist docs/gallery $(VENV) .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 
 # Stamps ------------------------------------------------------------------------------------------
 

@@ -8,34 +8,34 @@ the normal of the cross-section.
 from importlib.metadata import version as _version
 
 from pyrod import curve, rotation
-from pyrod._choice import Choice, smallest_model
 from pyrod._core import Options
-from pyrod._critical import Critical, critical_load
-from pyrod._effects import Effect, effect, out_of_plane_index
-from pyrod._energy import Energy
-from pyrod._files import load, save
-from pyrod._folders import get_cmake_dir, get_include
-from pyrod._many import solve_many
-from pyrod._planarity import Planarity, is_planar
-from pyrod._solve import solve
-from pyrod._sweep import Sweep, sweep
-from pyrod.accuracy import Accuracy
-from pyrod.equilibrium import Equilibrium, Reaction, RodEquilibrium
-from pyrod.errors import (
+from pyrod.base.folders import get_cmake_dir, get_include
+from pyrod.curve._warning import CurveWarning
+from pyrod.document.errors import SceneFileError
+from pyrod.files import load, save
+from pyrod.models.choice import Choice, smallest_model
+from pyrod.models.effects import Effect, effect, out_of_plane_index
+from pyrod.models.solve import solve
+from pyrod.result.accuracy import Accuracy
+from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
+from pyrod.result.errors import (
     AccuracyWarning,
-    CurveWarning,
     NotConverged,
-    SceneFileError,
     StrainWarning,
     UnstableWarning,
 )
-from pyrod.joints import Joint
-from pyrod.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
-from pyrod.outline import Outline
-from pyrod.rod import Rod
-from pyrod.scene import Scene
-from pyrod.section import Material, Section
-from pyrod.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring
+from pyrod.rod.energy import Energy
+from pyrod.rod.outline import Outline
+from pyrod.rod.rod import Rod
+from pyrod.rod.section import Material, Section
+from pyrod.scene.joints import Joint
+from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
+from pyrod.scene.planarity import Planarity, is_planar
+from pyrod.scene.scene import Scene
+from pyrod.scene.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring
+from pyrod.solving.many import solve_many
+from pyrod.stability.critical import Critical, critical_load
+from pyrod.sweeps import Sweep, sweep
 
 __version__ = _version("pyrod")
 

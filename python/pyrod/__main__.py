@@ -2,7 +2,7 @@
 
 import sys
 
-from pyrod._cli import main
+from pyrod.cli import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._arrays import Array, array, is_rotation
+import pyrod._core as _core
+from pyrod.base.arrays import Array, array, is_rotation
 
 
 def quaternions(values: Any, name: str) -> Array:

@@ -30,7 +30,7 @@ def main() -> None:
     import atheris
 
     with atheris.instrument_imports():
-        from pyrod._document import rods, schema
+        from pyrod.document import rods, schema
 
     rods.MOST_EDGES = LARGEST
     schema.ROD.keys["edges"] = schema.Key(schema.whole(1, LARGEST))

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyrod import _reference_notes as notes
 from pyrod.reference import Case, load
+from pyrod.reference import _notes as notes
 from pyrod.rotation import multiply
 
 FOLDER = Path(os.environ.get("PYROD_REFERENCE", Path(__file__).parents[1] / "reference"))

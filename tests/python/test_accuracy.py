@@ -14,8 +14,8 @@ from cases import CASES, parameters, start
 
 import pyrod
 from pyrod import AccuracyWarning, Equilibrium, UnstableWarning
-from pyrod import _reference_notes as notes
 from pyrod.reference import Case
+from pyrod.reference import _notes as notes
 
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
 

@@ -131,7 +131,7 @@ def test_balance_tells_what_is_missing() -> None:
     from dataclasses import replace
 
     r = solve(Scene(Rod.straight(1.0, 8, SOFT), [Clamp(), Hinge(at="end")], Force(X, at=0.5)))
-    forged = replace(r, reactions=(r.reactions[0], pyrod.equilibrium.Reaction(0 * X, 0 * X)))
+    forged = replace(r, reactions=(r.reactions[0], pyrod.Reaction(0 * X, 0 * X)))
     missing = np.linalg.norm(r.reactions[1].force)
     section = np.linalg.norm(r.force, axis=1).max()
     rest = 1 + np.linalg.norm(r.reactions[0].force) + section

@@ -11,7 +11,7 @@ from support import FLAT, REFERENCE, X, Y, Z
 
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Hinge, Moment, Rod, Scene, Section, Slider, solve
-from pyrod._effects import _changes
+from pyrod.models.effects import _changes
 from pyrod.reference import Case, load
 
 THICK = Section(4, 1, 2, 60, 80, 200)

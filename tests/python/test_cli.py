@@ -16,7 +16,7 @@ import pytest
 
 import pyrod
 from pyrod import reference
-from pyrod._cli._output import Output
+from pyrod.cli.output import Output
 
 pytestmark = pytest.mark.outside
 

@@ -23,7 +23,7 @@ from pyrod import (
     Slider,
     critical_load,
 )
-from pyrod._path import Path
+from pyrod.stability.path import Path
 
 
 def column(ends: str = "clamped-free", n: int | None = 32, **more: Any) -> Scene:
@@ -219,11 +219,11 @@ def test_moments_have_a_potential_in_the_plane() -> None:
 
 def test_paths_that_are_lost_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     with monkeypatch.context() as patch:
-        patch.setattr("pyrod._path._goes_on", lambda *_: False)
+        patch.setattr("pyrod.stability.path._goes_on", lambda *_: False)
         with pytest.raises(RuntimeError, match="could be followed up to a factor of 0 only"):
             critical_load(column(n=8))
     with monkeypatch.context() as patch:
-        patch.setattr("pyrod._path.SMALL", 0.0)
+        patch.setattr("pyrod.stability.path.SMALL", 0.0)
         with pytest.raises(RuntimeError, match=r"at a factor of 2\.4\d+ the equilibria jump"):
             critical_load(column(n=8))
 

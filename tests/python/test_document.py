@@ -14,9 +14,9 @@ from support import ROUND, SOFT
 
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Rod, Scene
-from pyrod._document import read, write
-from pyrod._document.files import json_text
-from pyrod._document.toml import dumps
+from pyrod.document import read, write
+from pyrod.document.files import json_text
+from pyrod.document.toml import dumps
 
 # Round trips --------------------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from support import ROUND
 
 import pyrod
 from pyrod import Clamp, Rod, Scene
-from pyrod._document import read, write
+from pyrod.document import read, write
 
 
 def problems(document: dict[str, Any]) -> list[tuple[str, str]]:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pyrod
-from pyrod._document import load_file
+from pyrod.document import load_file
 
 FOLDER = Path(__file__).parents[2] / "examples" / "scenes"
 

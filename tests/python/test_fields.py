@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pyrod
-from pyrod._fields import KINDS, field, fields
+from pyrod.result.fields import KINDS, field, fields
 from pyrod.rotation import rotate
 
 ROD = pyrod.Rod.precurved(1.0, 8, pyrod.Section(2.0, 1.0, 1.5, 50.0, 60.0, 70.0), (0.2, 0.4, 1.0))

@@ -8,12 +8,12 @@ import tomllib
 from pathlib import Path
 
 import pyrod
-from pyrod._document import read, schema
-from pyrod._document.tables import REQUIRED, Key, Kind
-from pyrod._files import _RESULTS
+from pyrod.document import read, schema
+from pyrod.document.tables import REQUIRED, Form, Key
+from pyrod.files import _RESULTS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "files.md").read_text()
-KINDS: list[Kind] = [
+KINDS: list[Form] = [
     schema.SCENE,
     schema.MATERIAL,
     schema.SECTION,

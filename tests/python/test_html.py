@@ -16,8 +16,8 @@ from support import SOFT, uninstall
 
 import pyrod
 from pyrod import Clamp, Force, Joint, Material, Rod, Scene, Section
-from pyrod._pictures.page import interactive
-from pyrod._pictures.swept import swept
+from pyrod.pictures.page import interactive
+from pyrod.pictures.swept import swept
 
 pytestmark = pytest.mark.outside
 

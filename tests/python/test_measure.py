@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import pyrod
-from pyrod._pictures.measure import measure, measures
+from pyrod.pictures.measure import measure, measures
 
 Equilibrium = pyrod.Equilibrium
 

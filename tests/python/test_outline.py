@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pyrod import Material, Outline, Section
-from pyrod._polygons import signed_area, triangles
+from pyrod.rod.polygons import signed_area, triangles
 
 STEEL = Material(E=200e9, density=7850.0)
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]

@@ -208,7 +208,7 @@ def test_joints_that_leave_the_plane() -> None:
         (twisted, Joint(places), "holds rod 1 turned out of the plane"),
     ):
         scene = Scene([STRAIGHT, second], Clamp(), joints=joint)
-        reasons = list(pyrod._planarity._leaving(scene, 1))
+        reasons = list(pyrod.scene.planarity._leaving(scene, 1))
         assert bool(why) == bool(reasons)
         assert not why or any(why in reason for reason in reasons)
         assert is_solved_in_the_plane([STRAIGHT, second], Clamp(), joints=joint) == (not why)

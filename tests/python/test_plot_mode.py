@@ -9,7 +9,7 @@ from support import FLAT, solved
 
 import pyrod
 from pyrod import Clamp, Force, Hinge, Rod, Scene, Section, Slider
-from pyrod._pictures.displaced import mode_displacements
+from pyrod.pictures.displaced import mode_displacements
 
 Equilibrium = pyrod.Equilibrium
 pytestmark = pytest.mark.usefixtures("close_figures")

@@ -14,8 +14,8 @@ from cases import CASES, FOLDER, parameters, start
 
 import pyrod
 from pyrod import Equilibrium
-from pyrod import _reference_notes as notes
 from pyrod.reference import Case
+from pyrod.reference import _notes as notes
 
 CELLS = (4, 8, 16)  # edges in a sample interval
 FINE_CELLS = (64, 128, 256)

@@ -14,7 +14,7 @@ from support import ROUND
 
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Rod, Scene
-from pyrod._fields import KINDS, field
+from pyrod.result.fields import KINDS, field
 
 pytest_plugins = ["shared_results"]
 
@@ -126,7 +126,7 @@ def test_a_file_is_whole_or_as_it_was(
         raise OSError("the disk is full")
 
     with monkeypatch.context() as patch:
-        patch.setattr("pyrod._files.sheet.fields", fails)
+        patch.setattr("pyrod.files.sheet.fields", fails)
         with pytest.raises(OSError, match="disk is full"):
             joined.save(path)
     assert path.read_text() == "before"

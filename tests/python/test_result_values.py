@@ -12,9 +12,9 @@ from support import ROUND
 
 import pyrod
 from pyrod import Clamp, Rod, Scene
-from pyrod._fields import KINDS, field
-from pyrod._pictures.measure import measure
-from pyrod._pictures.swept import swept
+from pyrod.pictures.measure import measure
+from pyrod.pictures.swept import swept
+from pyrod.result.fields import KINDS, field
 
 pytest_plugins = ["shared_results"]
 

@@ -11,7 +11,7 @@ import pytest
 
 import pyrod
 from pyrod import Material, Outline, Rod, Section
-from pyrod._outlines import outlines
+from pyrod.rod.outlines import outlines
 
 RUBBER = Material(E=1e6)
 ROUND = Section.circle(0.01, RUBBER)

@@ -15,9 +15,9 @@ from support import ROUND
 
 import pyrod
 from pyrod import Clamp, Rod, Scene
-from pyrod._document import files, load_file, units
-from pyrod._document.lines import line_of
-from pyrod._document.toml import dumps
+from pyrod.document import files, load_file, units
+from pyrod.document.lines import line_of
+from pyrod.document.toml import dumps
 
 SCENE = Scene(Rod.straight(1.0, 4, ROUND), Clamp(), pyrod.Force((1, 0, 0)))
 TEXT = """\

@@ -13,8 +13,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pyrod
-from pyrod._document import read, schema
-from pyrod._document.schema import LOADS, ROD, SCENE, SUPPORTS
+from pyrod.document import read, schema
+from pyrod.document.schema import LOADS, ROD, SCENE, SUPPORTS
 
 ROOT = Path(__file__).parents[2]
 SEEDS = [tomllib.loads(p.read_text()) for p in sorted((ROOT / "examples/scenes").glob("*.toml"))]
@@ -56,7 +56,7 @@ def places(document: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Rods of many edges are no errors, but take time."""
-    monkeypatch.setattr("pyrod._document.rods.MOST_EDGES", 2000)
+    monkeypatch.setattr("pyrod.document.rods.MOST_EDGES", 2000)
     edges = schema.Key(schema.whole(1, 2000))
     monkeypatch.setitem(ROD.keys, "edges", edges)
 

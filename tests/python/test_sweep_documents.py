@@ -11,8 +11,7 @@ from support import SOFT, same_sweep
 from sweeps import pool, sweep
 
 import pyrod
-from pyrod import Clamp, Force, Rod, Scene, solve
-from pyrod import _document as document
+from pyrod import Clamp, Force, Rod, Scene, document, solve
 
 SCENE = Scene(Rod.straight(1.0, 8, SOFT), Clamp(), Force((1.0, 0.5, -2.0)))
 PATH = "loads.0.force.2"

@@ -39,8 +39,8 @@ def unexpected(**_: Any) -> Any:
 
 def resumed(path: Path, monkeypatch: pytest.MonkeyPatch, **more: Any) -> pyrod.Sweep:
     """From the store alone: any solve is an error."""
-    monkeypatch.setattr("pyrod._sweep.work.found", unexpected)
-    monkeypatch.setattr("pyrod._sweep.work.Work._scene", unexpected)
+    monkeypatch.setattr("pyrod.sweeps.work.found", unexpected)
+    monkeypatch.setattr("pyrod.sweeps.work.Work._scene", unexpected)
     return stored(path, **more)
 
 

@@ -13,7 +13,7 @@ from support import orders
 
 import pyrod
 from pyrod import Clamp, Force, Joint, Material, Outline, Rod, Scene, Section
-from pyrod._pictures.swept import Swept, swept
+from pyrod.pictures.swept import Swept, swept
 from pyrod.rotation import exp, multiply, rotate
 
 RUBBER = Material(E=1e6)

@@ -12,10 +12,10 @@ from support import uninstall
 
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Hinge, Joint, Material, Rod, Scene, Section
-from pyrod._fields import KINDS, field
-from pyrod._pictures import view
-from pyrod._pictures.swept import swept
-from pyrod._pictures.view import scene
+from pyrod.pictures import view
+from pyrod.pictures.swept import swept
+from pyrod.pictures.view import scene
+from pyrod.result.fields import KINDS, field
 
 pyvista = pytest.importorskip("pyvista", reason="pictures in space need pyvista")
 

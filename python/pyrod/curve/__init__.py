@@ -12,7 +12,8 @@ and a closed one has n.
 
 from pyrod.curve._conversions import bishop_from_frenet, frenet_from_bishop, without_repeats
 from pyrod.curve._framed import FramedCurve
-from pyrod.curve._knots import Approach, linking_number
+from pyrod.curve._knots import Approach
+from pyrod.curve._link import linking_number
 from pyrod.curve._polyline import Polyline
 from pyrod.curve._strains import Measure, reconstruct, strains
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._arrays import Array, array, finite, number, rows, transposed, yes_or_no
+import pyrod._core as _core
+from pyrod.base.arrays import Array, array, finite, number, rows, transposed, yes_or_no
 
 
 def bishop_from_frenet(curvature: ArrayLike, dihedral_angles: ArrayLike) -> Array:

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
-from pyrod._arrays import Array
-
-if TYPE_CHECKING:
-    from pyrod.curve._polyline import Polyline
+from pyrod.base.arrays import Array
+from pyrod.curve._arc import Arc
 
 Ends = Literal["free", "continued"]
 """What a free end of an open arc has: no turn, or the values of its neighbours."""
 
 
-def with_ends(arc: Polyline, values: Array, ends: Ends) -> Array:
+def with_ends(arc: Arc, values: Array, ends: Ends) -> Array:
     """Values at the vertices or of the edges; "continued" replaces those at free ends.
 
     They stay as they are where there is none to continue.
@@ -33,7 +31,7 @@ def with_ends(arc: Polyline, values: Array, ends: Ends) -> Array:
     return values
 
 
-def is_torsion(arc: Polyline, values: Array) -> bool:
+def is_torsion(arc: Arc, values: Array) -> bool:
     """Whether values are the torsion of the arc, which is 0 on the edges to free ends."""
     if arc.closed or values.ndim != 1:
         return False

@@ -9,14 +9,15 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._arrays import array, number
-from pyrod._immutable import Array, Immutable, frozen, sealed, vector
-from pyrod._sampling import edge_lengths as lengths_of
-from pyrod._sampling import sampled
-from pyrod.curve._knots import whole as whole_link
+import pyrod._core as _core
+from pyrod.base.arrays import array, number
+from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
+from pyrod.curve._arc import require_closed
+from pyrod.curve._knots import nearest_whole
 from pyrod.curve._polyline import Polyline
 from pyrod.curve._reading import between_vertices, check_count, check_reading, held, signed
+from pyrod.curve._sampling import edge_lengths as lengths_of
+from pyrod.curve._sampling import sampled
 from pyrod.curve._strains import Measure, checked_measure, reconstruct, strains
 from pyrod.rotation import as_frame, rotate, to_matrix
 
@@ -291,14 +292,14 @@ class FramedCurve(Immutable):
 
         The frames must be adapted: the twist is that about the edges.
         """
-        self.polyline._require_closed("link")
+        require_closed(self.polyline, "link")
         away = np.abs(rotate(self.frames, [0.0, 0.0, 1.0]) - self.polyline.tangents).max(axis=1)
         worst = int(np.argmax(away))
         if away[worst] > 1e-9:
             raise ValueError(
                 f"frames[{worst}]: a3 is not along the edge; take adapted(), whose frames are"
             )
-        return whole_link(self.twist + self.polyline.writhe(threads))
+        return nearest_whole(self.twist + self.polyline.writhe(threads))
 
     def edge(self, distance: float, threads: int = 0) -> Polyline:
         """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame.

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pyrod._arrays import Array, array, transposed
-from pyrod._immutable import vector
-from pyrod.errors import CurveWarning
-
-if TYPE_CHECKING:
-    from pyrod.curve._polyline import Polyline
+from pyrod.base.arrays import Array, array, transposed
+from pyrod.base.immutable import vector
+from pyrod.curve._arc import Arc
+from pyrod.curve._warning import CurveWarning
 
 NEAR = 1e-3
 """An edge so short beside both neighbours joins what may be one point, told twice."""
@@ -41,7 +38,7 @@ def direction(values: ArrayLike | None, name: str, flat: bool) -> Array | None:
     return vector(np.append(made, 0.0) if flat and made.shape == (2,) else made, name)
 
 
-def straight_angles(arc: Polyline) -> Array:
+def straight_angles(arc: Arc) -> Array:
     """Most turn [rad] at each vertex that counts as none, `Polyline.straight` at the least."""
     near = _inverse_lengths(arc)
     size = np.abs(arc.positions).max(axis=1)
@@ -51,7 +48,7 @@ def straight_angles(arc: Polyline) -> Array:
     return angles
 
 
-def _inverse_lengths(arc: Polyline) -> Array:
+def _inverse_lengths(arc: Arc) -> Array:
     """1/l of the edge before plus that of the edge behind each vertex."""
     inverse = 1 / arc.edge_lengths
     if arc.closed:
@@ -59,7 +56,7 @@ def _inverse_lengths(arc: Polyline) -> Array:
     return np.append(inverse, 0.0) + np.append(0.0, inverse)
 
 
-def refuse_folds(arc: Polyline) -> None:
+def refuse_folds(arc: Arc) -> None:
     """Edges that fold back within the resolution; within that of doubles the core refuses them."""
     folded = np.pi - arc.turning_angles <= straight_angles(arc) - arc.straight
     if folded.any():
@@ -70,7 +67,7 @@ def refuse_folds(arc: Polyline) -> None:
         )
 
 
-def warn_of_near_repeats(arc: Polyline) -> None:
+def warn_of_near_repeats(arc: Arc) -> None:
     """Points that a file tells twice with other last digits: curvature and torsion there are those
     of the digits."""
     h = arc.edge_lengths
@@ -93,7 +90,7 @@ def warn_of_near_repeats(arc: Polyline) -> None:
             return
 
 
-def _jogs(arc: Polyline, edge: int) -> bool:
+def _jogs(arc: Arc, edge: int) -> bool:
     """Whether the turns at the ends of an edge are more than the curve needs without it."""
     n, t = arc.edges, arc.tangents
     ends = [edge, (edge + 1) % len(arc.positions)]
@@ -110,7 +107,7 @@ def _round_up(x: float) -> float:
     return float((np.floor(x / power) + 1) * power)
 
 
-def inflections(arc: Polyline) -> NDArray[np.intp]:
+def inflections(arc: Arc) -> NDArray[np.intp]:
     """Edges on which the binormal turns by pi within rounding: to which side is not told."""
     alpha, theta = arc.dihedral_angles, arc.turning_angles
     rounding = straight_angles(arc) - arc.straight

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, Union
+from typing import Any, Literal, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._arrays import array, number, precision, yes_or_no
-from pyrod._arrays import whole as whole_number
-from pyrod._immutable import Array, Immutable, frozen, sealed
+import pyrod._core as _core
+from pyrod.base.arrays import array, number, precision, whole, yes_or_no
+from pyrod.base.borrowed import borrowed
+from pyrod.base.immutable import Array, Immutable, frozen, sealed
+from pyrod.curve._arc import require_closed
 from pyrod.curve._ends import Ends, is_torsion, with_ends
-from pyrod.curve._knots import Approach, as_polyline, whole
+from pyrod.curve._knots import Approach, nearest_whole
 from pyrod.curve._points import (
     direction,
     inflections,
@@ -24,11 +25,6 @@ from pyrod.curve._points import (
     warn_of_near_repeats,
 )
 from pyrod.curve._strains import Measure, checked_measure
-from pyrod.rotation import frame_along, unit_frame
-
-if TYPE_CHECKING:
-    from pyrod.curve._framed import FramedCurve
-
 
 NO_ANGLE = 0.0
 """The default, for which nothing is turned."""
@@ -238,9 +234,9 @@ class Polyline(Immutable):
             turns = _core.curve.measured(alpha, measure)
         return with_ends(self, turns / self.edge_lengths, ends)
 
-    def frenet(self) -> FramedCurve:
-        """The arc with Frenet frames (n, b, t) on its edges, b half-way between the vertices'."""
-        return self._framed(self._arc.edge_frenet_frames(self.binormals, self.dihedral_angles))
+    @borrowed("pyrod.curve._transport:frenet")
+    def frenet(self) -> Any:
+        """The arc with Frenet frames (n, b, t) on its edges, a `FramedCurve`."""
 
     def vertex_frenet_frames(self) -> Array:
         """Frenet frames (n, b, t) at the vertices, quaternions; t halves the turn."""
@@ -248,64 +244,26 @@ class Polyline(Immutable):
 
     # Parallel transport ---------------------------------------------------------------------------
 
+    @borrowed("pyrod.curve._transport:bishop")
     def bishop(
         self,
         normal: ArrayLike | None = None,
         angles: ArrayLike = NO_ANGLE,
         frame: ArrayLike | None = None,
-    ) -> FramedCurve:
-        """The arc with frames that do not twist, or that twist as told (Linn 6.2.1).
-
-        Parameters
-        ----------
-        normal : (3,) a1 of the start is as near to it as can be; default: the frame e1, e2, e3
-            turned the least way.
-        angles : turns the frames about the tangents by a given angle [rad], one for all or (n,).
-        frame : (4,) or (3, 3), the frame at the start instead of ``normal``, turned the least way
-            to the tangent.
-
-        Frames of a closed arc start on edge 0 and meet it again turned by the `holonomy`, all of
-        which is in the turn at vertex 0; see `closed_ribbon` for frames that close.
-        """
-        if frame is None:
-            start = self.tangents[0] if self.start_tangent is None else self.start_tangent
-            q = frame_along(start, normal)
-        elif normal is not None:
-            raise ValueError("normal: give either it or frame")
-        else:
-            q = unit_frame(frame, "frame at the start")
-        first, frames = self._arc.bishop_frames(q)
-        framed = self._framed(frames, first if self.start_tangent is not None else None)
-        return framed if angles is NO_ANGLE else framed.turned(angles)
+    ) -> Any:
+        """The arc with frames that do not twist, or that twist as told: a `FramedCurve`."""
 
     def holonomy(self) -> float:
         """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame.
 
         Equal to 2 pi times the writhe, up to whole turns.
         """
-        self._require_closed("holonomy")
+        require_closed(self, "holonomy")
         return self._arc.holonomy()
 
-    def closed_ribbon(self, link: int, normal: ArrayLike | None = None) -> FramedCurve:
-        """Frames that close and have the linking number ``link``, twisted evenly along the arc.
-
-        O(n^2), for the writhe.
-        """
-        self._require_closed("closed_ribbon")
-        link = whole_number(link, "link")
-        twist = 2 * np.pi * (link - self.writhe()) * self.cell_lengths / self.length
-        worst = int(np.argmax(np.abs(twist)))
-        if not abs(twist[worst]) < np.pi:
-            raise ValueError(
-                f"link: {link} takes half a turn or more at vertex {worst}, which frames cannot "
-                "tell from less; use more edges"
-            )
-        return self.bishop(normal, np.concatenate([[0.0], np.cumsum(twist[1:])]))
-
-    def _framed(self, frames: Array, start_frame: Array | None = None) -> FramedCurve:
-        from pyrod.curve._framed import FramedCurve
-
-        return FramedCurve(self, frames, start_frame=start_frame)
+    @borrowed("pyrod.curve._transport:closed_ribbon")
+    def closed_ribbon(self, link: int, normal: ArrayLike | None = None) -> Any:
+        """Frames that close and have a linking number: a `FramedCurve`."""
 
     # Averages -------------------------------------------------------------------------------------
 
@@ -358,7 +316,7 @@ class Polyline(Immutable):
                 "positions: the last point is the first again; leave it out and make the polyline "
                 "with closed=True"
             )
-        return self._arc.writhe(whole_number(threads, "threads"))
+        return self._arc.writhe(whole(threads, "threads"))
 
     def frenet_link(self, threads: int = 0) -> int:
         """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi.
@@ -366,7 +324,7 @@ class Polyline(Immutable):
         Counts the arc's own crossings. Raises ``ValueError`` where the binormal turns by pi within
         rounding, as at the inflections of a plane curve: there the ribbon has no sides. O(n^2).
         """
-        self._require_closed("frenet_link")
+        require_closed(self, "frenet_link")
         at = inflections(self)
         if len(at):
             some = ", ".join(map(str, at[:8])) + (", ..." if len(at) > 8 else "")
@@ -374,7 +332,7 @@ class Polyline(Immutable):
                 f"frenet_link: on the edges {some} the binormal turns by pi within rounding, an "
                 "inflection, where the Frenet ribbon has no link; take writhe, or closed_ribbon"
             )
-        return whole(self.writhe(threads) + self.dihedral_angles.sum() / (2 * np.pi))
+        return nearest_whole(self.writhe(threads) + self.dihedral_angles.sum() / (2 * np.pi))
 
     def self_approach(self, threads: int = 0) -> Approach:
         """Smallest distance between two parts of the arc that are not near along it. O(n^2).
@@ -382,7 +340,7 @@ class Polyline(Immutable):
         Two edges count if the way between their centres is more than one and a half times as long
         along the arc as it is straight: on a circle, if they are nearly opposite.
         """
-        return Approach(*self._arc.self_approach(whole_number(threads, "threads")))
+        return Approach(*self._arc.self_approach(whole(threads, "threads")))
 
     def approach(self, other: Union[Polyline, ArrayLike], threads: int = 0) -> Approach:
         """Smallest distance between an edge of this and an edge of another. O(n m).
@@ -390,8 +348,14 @@ class Polyline(Immutable):
         Positions are taken for those of an open one.
         """
         arc = as_polyline(other, "other", closed=False)._arc
-        return Approach(*self._arc.approach(arc, whole_number(threads, "threads")))
+        return Approach(*self._arc.approach(arc, whole(threads, "threads")))
 
-    def _require_closed(self, what: str) -> None:
-        if not self.closed:
-            raise ValueError(f"{what}: only a closed polyline has one; make it with closed=True")
+
+def as_polyline(given: Union[Polyline, ArrayLike], name: str, closed: bool) -> Polyline:
+    """A polyline as it is, or made of positions."""
+    if isinstance(given, Polyline):
+        return given
+    try:
+        return Polyline(given, closed=closed)
+    except (ValueError, TypeError) as error:
+        raise type(error)(f"{name}: expected a Polyline or positions; {error}") from None

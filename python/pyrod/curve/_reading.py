@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from pyrod import _core
-from pyrod._arrays import Array
-from pyrod._immutable import frozen
-from pyrod.errors import CurveWarning
+import pyrod._core as _core
+from pyrod.base.arrays import Array
+from pyrod.base.immutable import frozen
+from pyrod.curve._warning import CurveWarning
 from pyrod.rotation import (
     as_frames,
     conjugate,

@@ -7,9 +7,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod import _core
-from pyrod._arrays import Array, array, rows, yes_or_no
-from pyrod._immutable import vector
+import pyrod._core as _core
+from pyrod.base.arrays import Array, array, rows, yes_or_no
+from pyrod.base.immutable import vector
 from pyrod.rotation import as_frame, from_matrix, quaternions
 
 Measure = Literal["log", "chord", "cayley"]

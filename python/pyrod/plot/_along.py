@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from pyrod._fields import KINDS, field
-from pyrod._immutable import Array
-from pyrod._optional import need
-from pyrod._pictures.measure import symbol_of
-
-if TYPE_CHECKING:
-    from pyrod.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.base.immutable import Array
+from pyrod.base.optional import need
+from pyrod.pictures.measure import symbol_of
+from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.result.fields import KINDS, field
+from pyrod.rod.models import STRAINS
 
 PANELS = {"strains": ("K", "Gamma"), "forces": ("force", "moment")}
 """The quantities of a picture, one below the other."""
@@ -88,7 +87,7 @@ def _components(rod: RodEquilibrium, name: str) -> tuple[int, ...]:
     """Those that the model has: stretch only, or shear as well."""
     if name != "Gamma":
         return 0, 1, 2
-    return {"inextensible": (), "extensible": (2,), "cosserat": (0, 1, 2)}[rod.rod.model]
+    return tuple(i for i, has in enumerate(STRAINS[rod.rod.model]) if has)
 
 
 def _draw_values(

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
-from pyrod._optional import need
+from pyrod.base.optional import need
 from pyrod.plot._along import PANELS, draw_along
 from pyrod.plot._mode import draw_mode
 from pyrod.plot._shape import draw_shape
-
-if TYPE_CHECKING:
-    from pyrod.equilibrium import Equilibrium
+from pyrod.result.equilibrium import Equilibrium
 
 What = Literal["shape", "strains", "forces", "stability"]
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from pyrod._pictures.displaced import mode_displacements
+from pyrod.pictures.displaced import mode_displacements
 from pyrod.plot._shape import draw_lines, new_axes
-
-if TYPE_CHECKING:
-    from pyrod.equilibrium import Equilibrium
+from pyrod.result.equilibrium import Equilibrium
 
 LARGEST = 0.1  # displacement over the extent of the rods
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pyrod._optional import need
+from pyrod.base.optional import need
 from pyrod.plot._along import PANELS, draw_panel
 from pyrod.plot._mode import draw_mode, stability
 from pyrod.plot._shape import draw_shape, new_axes
+from pyrod.result.equilibrium import Equilibrium
+from pyrod.rod.models import STRAINS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from pyrod.equilibrium import Equilibrium
 
 
 def overview(result: Equilibrium) -> Figure:
@@ -63,7 +63,7 @@ def _draw_record(result: Equilibrium, ax: Any) -> None:
 
 
 def _has(result: Equilibrium, name: str) -> bool:
-    return name != "Gamma" or any(rod.rod.model != "inextensible" for rod in result.rods)
+    return name != "Gamma" or any(any(STRAINS[rod.rod.model]) for rod in result.rods)
 
 
 def _title(result: Equilibrium) -> str:

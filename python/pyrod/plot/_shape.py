@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from pyrod._immutable import Array
-from pyrod._optional import need
-from pyrod._pictures.box import box
-from pyrod._pictures.measure import Measure, measure
+from pyrod.base.immutable import Array
+from pyrod.base.optional import need
+from pyrod.pictures.box import box
+from pyrod.pictures.measure import Colouring, measure
+from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
 from pyrod.rotation import conjugate, rotate
-
-if TYPE_CHECKING:
-    from pyrod.equilibrium import Equilibrium, RodEquilibrium
 
 
 def new_axes(result: Equilibrium, figure: Any = None, place: Any = 111) -> Any:
     """Axes for shapes: flat for a planar scene, else three-dimensional."""
     figure = need("matplotlib.pyplot", "plot").figure() if figure is None else figure
-    return figure.add_subplot(place, projection=None if is_planar(result) else "3d")
+    return figure.add_subplot(place, projection=None if in_plane(result) else "3d")
 
 
-def is_planar(result: Equilibrium) -> bool:
+def in_plane(result: Equilibrium) -> bool:
     """Whether the scene is."""
     return result.scene.space == "planar"
 
@@ -38,12 +36,12 @@ def draw_shape(
     ax = new_axes(result) if ax is None else ax
     shapes = [rod.positions for rod in result.rods]
     if by is None:
-        lines = draw_lines(result, ax, shapes, {} if is_planar(result) else {"linewidth": 2}, style)
+        lines = draw_lines(result, ax, shapes, {} if in_plane(result) else {"linewidth": 2}, style)
         colours = [line.get_color() for line in lines]
     else:
         _draw_coloured(result, ax, by, style)
         colours = ["0.5"] * len(shapes)
-    if directors and not is_planar(result):
+    if directors and not in_plane(result):
         for rod, colour in zip(result.rods, colours, strict=True):
             _draw_fringe(rod, ax, colour)
     return ax
@@ -66,14 +64,14 @@ def draw_lines(
 
 def _coordinates(result: Equilibrium, r: Array) -> Array:
     """In the plane of the scene: a3 of its first clamp to the right, a1 upwards; else in space."""
-    if not is_planar(result):
+    if not in_plane(result):
         return r
     origin, frame = result.scene.plane
     return rotate(conjugate(frame), r - origin)[:, [2, 0]]
 
 
 def _finish(result: Equilibrium, ax: Any, shapes: Sequence[Array]) -> None:
-    if is_planar(result):
+    if in_plane(result):
         ax.set_aspect("equal", adjustable="datalim")
         ax.set(xlabel="along the clamp's a3 [m]", ylabel="along the clamp's a1 [m]")
     else:
@@ -81,14 +79,14 @@ def _finish(result: Equilibrium, ax: Any, shapes: Sequence[Array]) -> None:
         _equal_scales(ax, np.vstack(shapes))
 
 
-def _draw_coloured(result: Equilibrium, ax: Any, by: Measure, style: dict[str, Any]) -> None:
+def _draw_coloured(result: Equilibrium, ax: Any, by: Colouring, style: dict[str, Any]) -> None:
     """Pieces of the centrelines, and a bar that tells their colours."""
     shapes = [rod.positions for rod in result.rods]
     pieces, values = [], np.concatenate(by.values)
     for r in shapes:
         pieces += list(_pieces(_coordinates(result, r), by.place))
     look = {"linewidth": 3, "capstyle": "round", **style}
-    if is_planar(result):
+    if in_plane(result):
         lines = need("matplotlib.collections", "plot").LineCollection(pieces, array=values, **look)
         ax.add_collection(lines)
         ax.autoscale_view()

@@ -27,7 +27,7 @@ from pyrod import (
     critical_load,
     solve,
 )
-from pyrod._path import Path
+from pyrod.stability.path import Path
 
 
 def holds(found: pyrod.Critical, exact: float, relative: float) -> None:

@@ -22,7 +22,7 @@ from pyrod import (
     solve,
 )
 from pyrod.rotation import log
-from pyrod.supports import Support
+from pyrod.scene.supports import Support
 
 ROUND = Section(1, 1, 0.7)
 ROD = Rod.straight(1.0, 64, ROUND)

@@ -1,5 +1,0 @@
-"""Pictures of equilibria: what is drawn, and with pyvista and plotly how; see also `pyrod.plot`."""
-
-from pyrod._pictures.methods import Pictures
-
-__all__ = ["Pictures"]

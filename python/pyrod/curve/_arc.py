@@ -1,0 +1,43 @@
+"""What helpers of polylines ask of one."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from pyrod.base.arrays import Array
+
+
+class Arc(Protocol):
+    """The part of a `Polyline` that they know."""
+
+    @property
+    def positions(self) -> Array: ...
+    @property
+    def closed(self) -> bool: ...
+    @property
+    def start_tangent(self) -> Array | None: ...
+    @property
+    def end_tangent(self) -> Array | None: ...
+    @property
+    def straight(self) -> float: ...
+    @property
+    def resolution(self) -> float | None: ...
+    @property
+    def _precision(self) -> float: ...
+    @property
+    def edges(self) -> int: ...
+    @property
+    def edge_lengths(self) -> Array: ...
+    @property
+    def tangents(self) -> Array: ...
+    @property
+    def turning_angles(self) -> Array: ...
+    @property
+    def dihedral_angles(self) -> Array: ...
+    def torsion(self, measure: Any = "log") -> Array: ...
+
+
+def require_closed(arc: Arc, what: str) -> None:
+    """Refuses open arcs, which have no such thing."""
+    if not arc.closed:
+        raise ValueError(f"{what}: only a closed polyline has one; make it with closed=True")

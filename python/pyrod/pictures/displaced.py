@@ -1,0 +1,53 @@
+"""How points move in the lowest mode, to first order."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pyrod.base.immutable import Array
+from pyrod.result.equilibrium import Equilibrium
+from pyrod.rotation import rotate
+
+
+def mode_displacements(result: Equilibrium) -> list[Array]:
+    """(n + 1, 3) displacements of the vertices of each rod in the lowest mode [m/rad].
+
+    The edges turn as ``mode`` says, with the strains they have. Where a rod as a whole moves to
+    follows from its supports and joints; what these leave open does not move.
+
+    Raises
+    ------
+    ValueError : the mode is not known.
+    """
+    if result.mode is None:
+        raise ValueError("stability: there is no mode; solve with eigenvalue=True")
+    ends = np.cumsum([rod.rod.edges for rod in result.rods])[:-1]
+    relative = []
+    for rod, turns in zip(result.rods, np.split(result.mode, ends), strict=True):
+        steps = rod.rod.edge_lengths[:, None] * rotate(rod.frames, np.cross(turns, rod.Gamma))
+        relative.append(np.vstack([np.zeros((1, 3)), np.cumsum(steps, axis=0)]))
+    return [u + start for u, start in zip(relative, _starts(result, relative), strict=True)]
+
+
+def _starts(result: Equilibrium, relative: list[Array]) -> Array:
+    """(rods, 3) displacements of the starts: the least that supports and joints allow."""
+    vertex_at, count = result.scene._vertex, len(result.rods)
+    rows: list[Array] = [np.zeros((0, 3 * count))]
+    right: list[Array] = [np.zeros(0)]
+    for support in result.scene.supports:
+        rod, vertex = vertex_at(support.at)
+        held = _held(support._free(result.rods[rod].vertex_frames[vertex]))
+        rows.append(np.kron(np.eye(count)[rod], held))
+        right.append(-held @ relative[rod][vertex])
+    for joint in result.scene.joints:
+        (first, at), *others = [vertex_at(point) for point in joint.points]
+        for rod, vertex in others:
+            rows.append(np.kron(np.eye(count)[rod] - np.eye(count)[first], np.eye(3)))
+            right.append(relative[first][at] - relative[rod][vertex])
+    found = np.linalg.lstsq(np.vstack(rows), np.concatenate(right), rcond=None)[0]
+    return found.reshape(count, 3)
+
+
+def _held(free: Array) -> Array:
+    """(3, 3) projector on the directions in which a point may not move."""
+    return np.eye(3) - np.linalg.pinv(free) @ free if len(free) else np.eye(3)

@@ -1,0 +1,166 @@
+"""What a rod is made of, as a user gave it, from which it is made on any grid."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+import pyrod._core as _core
+from pyrod.base.arrays import Array
+from pyrod.curve._sampling import along
+from pyrod.rod.along import Curvature, EndOutlines, Sections, outlines_of, section_rows
+from pyrod.rod.outline import Outline
+from pyrod.rod.section import Model, Section
+
+Placement = tuple[Array, Array]
+Jumps = tuple[list[int], Array]
+"""Inner vertices, and for each (4, 3): bending and K0 before it, bending and K0 behind it."""
+NO_JUMPS: Jumps = ([], np.zeros((0, 4, 3)))
+
+
+class Law(Protocol):
+    """Tells what a rod is made of."""
+
+    @property
+    def portable(self) -> bool: ...
+
+    @property
+    def asks(self) -> bool: ...
+
+    @property
+    def base(self) -> Array: ...
+
+    @property
+    def corners(self) -> bool: ...
+
+    def outlines(self, h: Array) -> tuple[EndOutlines, ...]: ...
+
+    def compiled(self, model: Model | None, place: Placement, chooses: bool) -> _core.Rod: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Made:
+    """Sections and curvature as a user gives them; sequences belong to edges of lengths ``base``.
+
+    Between vertices for which it is given the curvature is linear.
+    """
+
+    section: Sections
+    curvature: Curvature
+    base: Array
+    corners = False
+
+    def compiled(self, model: Model | None, place: Placement, chooses: bool) -> _core.Rod:
+        """On the edges of the base."""
+        n = len(self.base)
+        return _core.Rod.of_sections(
+            self.base,
+            section_rows(self.section, n),
+            along(self.curvature, n + 1, "curvature", "vertex"),
+            self.corners,
+            None if model is None else _core.Model.__members__[model],
+            chooses,
+            *place,
+        )
+
+    def outlines(self, h: Array) -> tuple[EndOutlines, ...]:
+        return outlines_of(self._sections(h), h)
+
+    def _sections(self, h: Array) -> Sections:
+        if not isinstance(self.section, (list, tuple)) or h is self.base:
+            return self.section
+        s = _arc_lengths(h)
+        return [self.section[i] for i in _edges_at((s[1:] + s[:-1]) / 2, self.base)]
+
+    @property
+    def asks(self) -> bool:
+        """Whether a finer grid needs to ask it, for more than means between vertices."""
+        return not isinstance(self.section, Section) or callable(self.curvature)
+
+    @property
+    def portable(self) -> bool:
+        """Whether it can be pickled: functions may be local ones."""
+        if not callable(self.section) and not callable(self.curvature):
+            return True
+        try:
+            pickle.dumps((self.section, self.curvature))
+        except (pickle.PicklingError, AttributeError, TypeError):
+            return False
+        return True
+
+
+@dataclass(frozen=True, eq=False)
+class Points(Made):
+    """Sections along a polygon, which turns at the vertices of ``base`` alone, on any grid."""
+
+    corners = True
+
+    @property
+    def asks(self) -> bool:
+        return super().asks or bool(np.any(np.asarray(self.curvature)))
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """The arrays of a discrete rod: compliance and curvature are linear between its vertices.
+
+    ``corners`` : all of its turn is at these, as of a polygon.
+    """
+
+    base: Array
+    bending: Array
+    stretching: Array
+    K0: Array
+    mass: Array
+    shapes: tuple[EndOutlines, ...] = ()
+    """Outlines of the edges, linear along each; empty: none are known."""
+    corners: bool = False
+    jumps: Jumps = NO_JUMPS
+    portable = True
+
+    def compiled(self, model: Model | None, place: Placement, chooses: bool) -> _core.Rod:
+        """On the edges of the base, which nobody chooses."""
+        arrays = self.base, self.bending, self.stretching, self.K0, self.mass
+        kind = _core.Model.__members__[model or "cosserat"]
+        return _core.Rod.of_arrays(*arrays, self.corners, *self.jumps, kind, *place)
+
+    @property
+    def asks(self) -> bool:
+        return self.corners and bool(self.K0.any())
+
+    def outlines(self, h: Array) -> tuple[EndOutlines, ...]:
+        if not self.shapes:
+            return ((None, None),) * len(h)
+        s, start = _arc_lengths(h), _arc_lengths(self.base)
+        edges = _edges_at((s[1:] + s[:-1]) / 2, self.base)
+        parts = (np.column_stack([s[:-1], s[1:]]) - start[edges, None]) / self.base[edges, None]
+        return tuple(
+            (within(self.shapes[i], a), within(self.shapes[i], b))
+            for i, (a, b) in zip(edges, parts, strict=True)
+        )
+
+
+def kept_outlines(law: Law | None, h: Array) -> tuple[EndOutlines, ...]:
+    """What a law says of outlines, for a rod that has other arrays than it says."""
+    if law is None or abs(law.base.sum() - h.sum()) > 1e-9 * h.sum():
+        return ()
+    return law.outlines(h)
+
+
+def within(ends: EndOutlines, part: float) -> Outline | None:
+    """The outline between the ends of an edge, ``part`` of its length from the start."""
+    a, b = ends
+    if a is None or b is None:
+        return a if part < 0.5 else b
+    return a.towards(b, part)
+
+
+def _arc_lengths(h: Array) -> Array:
+    return np.concatenate([[0.0], np.cumsum(h)])
+
+
+def _edges_at(s: Array, h: Array) -> Array:
+    return np.clip(np.searchsorted(_arc_lengths(h), s, "right") - 1, 0, len(h) - 1)

@@ -1,0 +1,50 @@
+"""What joins rods to each other, and the ends of one rod to a ring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import pyrod._core as _core
+from pyrod.base.immutable import Array, Immutable
+from pyrod.rod.place import Place, checked
+from pyrod.scene.supports import unit, whole_turns
+
+
+@dataclass(frozen=True, eq=False)
+class Joint(Immutable):
+    """Joins points of rods, or the two ends of one rod to a ring.
+
+    Parameters
+    ----------
+    points : two places or more, each as for `Clamp`.
+    kind : "rigid" (default): the cross-sections keep the angles to each other that they have at
+        rest; "hinge": all others may turn about one axis against the first; "ball": they share the
+        point only.
+    axis : (3,) of a hinge, in space where the rods are at rest; it goes with the first rod.
+    turns : full turns about a3 that the rod of the last point makes from its support before,
+        besides what the frames tell: the twist that is put into a ring.
+    aligned : for a ring: the frames of the ends become one, whatever they are at rest. Default:
+        where the points of a rigid joint are not in one place at rest.
+    """
+
+    points: tuple[Place, ...]
+    kind: Literal["rigid", "hinge", "ball"] = "rigid"
+    turns: int = 0
+    aligned: bool | None = None
+    axis: Array | None = None
+
+    def __post_init__(self) -> None:
+        points = tuple(checked(p) for p in self.points)
+        if len(points) < 2:
+            raise ValueError(f"points: a joint needs two or more, got {len(points)}")
+        if self.kind not in ("rigid", "hinge", "ball"):
+            raise ValueError(f"kind: expected 'rigid', 'hinge' or 'ball', got {self.kind!r}")
+        if (self.kind == "hinge") != (self.axis is not None):
+            raise ValueError("axis: a hinge needs one, other joints have none")
+        self._set(points=points, turns=whole_turns(self.turns), axis=unit(self.axis, "axis"))
+
+    @cached_property
+    def _compiled(self) -> _core.Joint:
+        return _core.Joint(self.points, self.kind, self.turns, self.aligned, self.axis)

@@ -1,0 +1,1 @@
+"""Solving scenes as they are, one or many."""

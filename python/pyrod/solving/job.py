@@ -1,0 +1,67 @@
+"""What the compiled solver takes, and what it returns as an equilibrium."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from numpy.typing import ArrayLike
+
+import pyrod._core as _core
+from pyrod._core import Options
+from pyrod.result.accuracy import accuracy_of, checked_tolerance
+from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
+from pyrod.rotation import as_frames
+from pyrod.scene.scene import Scene
+
+
+class How(NamedTuple):
+    """How to solve."""
+
+    options: Options
+    stable: bool
+    eigenvalue: bool
+    tol: float | None
+
+    def checked(self) -> How:
+        """The same; refuses a tolerance that is none."""
+        return self._replace(tol=checked_tolerance(self.tol))
+
+
+def start_of(start: Equilibrium | ArrayLike | None, scene: Scene) -> Any:
+    """What the compiled solver takes to start from: frames, or the shape of each rod."""
+    if start is None:
+        return None
+    if not isinstance(start, Equilibrium):
+        return as_frames(start, "start")
+    _refuse_other_edges(start, scene)
+    return [(rod.positions, rod.vertex_frames, rod.frames) for rod in start.rods]
+
+
+def _refuse_other_edges(start: Equilibrium, scene: Scene) -> None:
+    had = [len(rod.frames) for rod in start.rods]
+    edges = [rod.edges for rod in scene.rods]
+    if had != edges and had != [rod.edges for rod in scene._climbing.rods]:
+        expected, got = (", ".join(map(str, counts)) for counts in (edges, had))
+        raise ValueError(
+            f"start: expected {expected} rows, as many as the rods have edges, got {got}; a "
+            "support or a joint between two vertices gives its rod one more"
+        )
+
+
+def equilibrium_of(
+    scene: Scene, found: _core.Equilibrium, how: How, time: float, choice: str | None = None
+) -> Equilibrium:
+    """What was found."""
+    accuracy = accuracy_of(found.accuracy, found.neutral)
+    if accuracy is not None:
+        scene = scene._climbing
+    return Equilibrium._of(
+        found,
+        scene=scene,
+        rods=tuple(map(RodEquilibrium._of, scene.rods, found.rods)),
+        reactions=tuple(Reaction(*reaction) for reaction in found.reactions),
+        time=time,
+        lowest_eigenvalue=found.lowest_eigenvalue if how.eigenvalue else None,
+        accuracy=accuracy,
+        choice=choice,
+    )

@@ -1,0 +1,1 @@
+"""Where an equilibrium loses its stability as its loads grow."""
