@@ -176,8 +176,8 @@ class Newton {
   /// leads to a minimum; it is cut instead where constraints hold, which a shift would leave open,
   /// where the Hessian tells a part only, and where any equilibrium will do.
   bool usable(const Iteration& now) const {
-    const bool cut = tangent_.constrained() || !problem_.conservative() || !minimum_ ||
-                     kind_ == Hessian::convex;
+    const bool cut =
+        tangent_.constrained() || !problem_.conservative() || !minimum_ || kind_ == Hessian::convex;
     return std::isfinite(now.step) && (cut || now.step <= options_.trust);
   }
 
