@@ -175,14 +175,28 @@ TEST_CASE("out of iterations: the last state is kept") {
   CHECK(result.energy < rosenbrock().f(Vec<2>(-1.2, 1)));
 }
 
-TEST_CASE("a pivot that would lose an equation is seen") {
-  // The pivot 1e-20 alone would make (0, 1e-9) of the first step, as small as the last step of a
-  // solve, where (−1e-9, 1e-9) is right.
+TEST_CASE("a step that does not solve its system does not end a solve") {
+  // The pivot 1e-20 loses the second equation: the first step comes out as (0, 1e-9), as small as
+  // the last step of a solve, where (−1e-9, 1e-9) is right.
   const Dense A = (Dense(2, 2) << 1e-20, 1, 1, 1).finished();
   const auto result = solved(quadratic(A, Vec<2>(1e-9, 0)), Vec<2>::Zero(), Hessian::exact);
   CHECK(result.converged());
+  CHECK(result.iterations() > 1);
   CHECK(result.state[0] == doctest::Approx(-1e-9).epsilon(1e-12));
   CHECK(result.state[1] == doctest::Approx(1e-9).epsilon(1e-12));
+}
+
+TEST_CASE("along a direction without stiffness rounding leads nowhere") {
+  // ½ x², and a y that nothing holds: what rounding pushes it by is divided by as little.
+  double push = 1e-16;
+  FlatProblem problem{2, [](const Vector& x) { return 1 + x[0] * x[0] / 2; },
+                      [&](const Vector& x) -> Vector { return Vec<2>(x[0], push = -push); },
+                      [](const Vector&) -> Dense { return Vec<2>(1, 1e-14).asDiagonal(); }};
+  const auto result = solved(problem, Vec<2>(0.3, 0));
+  CHECK(result.converged());
+  CHECK(result.iterations() <= 5);
+  CHECK(std::abs(result.state[0]) < 1e-15);
+  CHECK(std::abs(result.state[1]) < 0.02);
 }
 
 TEST_CASE("the trace sees every iteration and may stop the solve") {

@@ -82,10 +82,12 @@ class Newton {
   }
 
   /// Lets what is asked below be of x instead of the state that was solved for last.
-  void look_at(const State& x) { tangent_.linearise(x, Hessian::exact); }
+  void look_at(const State& x) {
+    tangent_.linearise(x, Hessian::exact);
+    factor_.factorise(0);
+  }
   /// See `Tangent`.
   Mode lowest_mode() { return tangent_.lowest_mode(); }
-  /// None where nothing is soft, for sure.
   std::optional<Mode> soft_mode() { return tangent_.soft_mode(); }
   const Vector& rounding_step(const State& x) { return tangent_.rounding_step(x); }
   /// Entries of the factor over those of the matrix: the fill.
@@ -93,6 +95,7 @@ class Newton {
 
  private:
   static constexpr std::size_t usual_iterations = 16;
+  static constexpr double most_by_rounding = 1e-3;  ///< a longer step is one that has to be taken
 
   const LinearisationOf<P>& here() const { return tangent_.here(); }
   void linearise() { tangent_.linearise(x_, kind_); }
@@ -126,12 +129,16 @@ class Newton {
     while (result.iterations() < options_.max_iterations) {
       Iteration now{kind_, here().energy, tangent_.residual(), 0, 1, 0, 0};
       if (!find_step(now)) return Status::not_finite;
+      if (drifts(now, result)) {
+        factor_.soften();
+        if (!find_step(now)) return Status::not_finite;
+      }
       const bool exact = kind_ == Hessian::exact;
       const bool small = !has_shift(now) && !anchor_.holds() && now.step <= options_.tolerance;
       const bool tiny = exact && small && tangent_.met() && settled(now) &&
                         tests_.accurate(here(), x_, δ_, tangent_.rounding(x_), trial_);
       // where a mode is soft, steps still improve on a residual that could be rounding
-      const bool at_rounding = exact && rounded();
+      const bool at_rounding = exact && now.step <= most_by_rounding && rounded();
       const bool last = tiny || (at_rounding && now.step > before / 2);
       const bool found =
           last && !tiny ? true
@@ -150,6 +157,15 @@ class Newton {
   }
 
   static bool has_shift(const Iteration& now) { return now.shift != 0; }
+
+  /// Whether a step is no shorter than the one before, where each should be about the square of
+  /// that: rounding, divided by next to no stiffness.
+  bool drifts(const Iteration& now, const Result<State>& result) const {
+    if (result.record.empty() || factor_.adds() || kind_ == Hessian::convex) return false;
+    const Iteration& last = result.record.back();
+    const bool near = last.kind == Hessian::exact && last.fraction == 1 && !has_shift(last);
+    return near && last.step <= 1e-2 && now.step > std::max(last.step / 2, options_.tolerance);
+  }
 
   /// δ, of which the primal part may be cut and the multipliers are always taken whole. False if
   /// numbers fail.
@@ -216,7 +232,11 @@ class Newton {
 
   const Vector& pull() { return anchor_.pull(here().gradient, factor_.stiffness()); }
 
-  bool rounded() { return tests_.rounded(here().gradient, tangent_.rounding(x_)); }
+  /// What is left could be rounding, of which the stiffest cells tell the size: of what is soft it
+  /// says nothing, so that it counts only where something has to be added to the factor.
+  bool rounded() {
+    return factor_.adds() && tests_.rounded(here().gradient, tangent_.rounding(x_));
+  }
 
   bool settled(const Iteration& now) {
     return now.step <= 1e-3 * options_.tolerance || tests_.settled(δ_, tangent_.sizes());

@@ -15,6 +15,7 @@
 #include <pyrod/sparse/ldlt.hpp>
 #include <pyrod/sparse/symmetric.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <limits>
@@ -60,6 +61,12 @@ class ShiftedFactor {
     factorised_ = σ;
   }
 
+  /// From now on something is always added: a mode has no stiffness.
+  void soften() {
+    always_ = std::max(always_, least_);
+    factorised_.reset();
+  }
+
   /// Whether something is always added.
   bool adds() const { return always_ > 0 || multipliers_.count() > 0; }
 
@@ -74,8 +81,6 @@ class ShiftedFactor {
   /// Negative eigenvalues on the constraints of what is factorised.
   int index() const { return inertia_.negative - multipliers_.count(); }
   bool broken() const { return inertia_.broken > 0; }
-  /// Whether the factor, of K alone, shows no mode without stiffness, or with next to none.
-  bool stiff() const { return !adds() && inertia_.least > 0.1 * stiffness_.sum(); }
 
   void solve(const Vector& b, Vector& x) { factor_.solve(b, x); }
 
@@ -111,13 +116,11 @@ class ShiftedFactor {
  private:
   static constexpr double least_ = 1e-6;  ///< of the stiffness: what is added where K alone breaks
 
-  static constexpr double thin_ = 1e-8;  ///< of all the stiffness: where a pivot may be rounding
-
   /// Factorises K alone, if that can be.
   bool as_it_is() {
     inertia_ = factor_.factorise();
-    if (!broken() && inertia_.least > thin_ * stiffness_.sum()) return true;
-    always_ = least_;
+    if (!broken()) return true;
+    soften();
     return false;
   }
 

@@ -74,7 +74,7 @@ class Tangent {
   /// Of what was linearised last. `last`: whether the factor is of the state before, one tiny step
   /// away, and nothing was added to it: it tells the index, unless multipliers have changed.
   int index(bool last) {
-    if (last && !constrained() && !factor_.adds()) return factor_.index();
+    if (last && !constrained() && !factor_.adds() && factor_.index() == 0) return 0;
     factor_.factorise(0);
     if (!factor_.broken() && factor_.index() == 0) return 0;
     return confirmed_index(factor_);
@@ -85,9 +85,12 @@ class Tangent {
 
   /// The softest mode, to first sight: two inverse iterations bring it out if it is soft, one
   /// without stiffness with the eigenvalue of the shift. Its eigenvalue is relative to the
-  /// stiffness.
+  /// stiffness. None where one iteration, with the factor of the last step if nothing was added to
+  /// it, sees nothing soft.
   std::optional<Mode> soft_mode() {
-    if (factor_.stiff()) return std::nullopt;
+    if (!factor_.adds() &&
+        inverse_iteration(factor_, factor_.stiffness(), 0, 1, false).eigenvalue > 0.1)
+      return std::nullopt;
     factor_.factorise(0);
     if (factor_.broken()) return std::nullopt;
     return inverse_iteration(factor_, factor_.stiffness(), 0, 2, false);

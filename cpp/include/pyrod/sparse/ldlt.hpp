@@ -11,7 +11,6 @@
 
 #include <cholmod.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -20,11 +19,9 @@
 
 namespace pyrod {
 
-/// Numbers of negative, and of zero or non-finite, pivots: the inertia of the factorised matrix;
-/// and the least size of a pivot.
+/// Numbers of negative, and of zero or non-finite, pivots: the inertia of the factorised matrix.
 struct Inertia {
   int negative = 0, broken = 0;
-  double least = 0;
 };
 
 class Ldlt {
@@ -140,15 +137,12 @@ class Ldlt {
     Inertia count;
     const auto* starts = static_cast<const int*>(factor_->p);
     const auto* values = static_cast<const double*>(factor_->x);
-    std::uint64_t least = infinity;
     for (std::size_t k = 0; k < factor_->n; ++k) {  // by bits: no branches, few comparisons
       const auto bits = std::bit_cast<std::uint64_t>(values[starts[k]]);
       const bool broken = (bits << 1) - 1 >= infinity - 1;  // also zero, which wraps around
       count.broken += broken;
       count.negative += int(bits >> 63) & !broken;
-      least = std::min(least, bits << 1);  // sizes are ordered as their bits are
     }
-    count.least = std::bit_cast<double>(least >> 1);
     return count;
   }
 

@@ -9,6 +9,7 @@
 #include <pyrod/statics/unknowns/known_forces.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
+#include <pyrod/statics/unknowns/spans.hpp>
 
 #include <utility>
 #include <vector>
@@ -88,10 +89,14 @@ class NetworkLoads {
     now.known.resize(layout_.edges());
     for (int p = 0; p < int(layout_.spans().size()); ++p) {
       const auto& span = layout_.spans()[p];
-      Point<Space> f = known[p];
-      for (int j = span.first; j < span.last; ++j) {
-        if (j > span.first) f -= now.vertices[span.rod][j];
-        now.known[layout_.edge(span.rod, j)] = f;
+      const auto& force = now.vertices[span.rod];
+      Point<Space>* f = now.known.data() + layout_.edge(span.rod, 0);
+      if (ends_freely(span)) {
+        f[span.last - 1] = now.nodes[span.end];
+        for (int j = span.last - 1; j > span.first; --j) f[j - 1] = f[j] + force[j];
+      } else {
+        f[span.first] = known[p];
+        for (int j = span.first + 1; j < span.last; ++j) f[j] = f[j - 1] - force[j];
       }
     }
   }
@@ -111,6 +116,13 @@ class NetworkLoads {
   double part() const { return part_; }
 
  private:
+  /// Then sums from there do not lose what is small to what acts elsewhere.
+  bool ends_freely(const Span<Space>& span) const {
+    const auto& end = net_.nodes[span.end];
+    return span.open.cols() == 0 && layout_.derived(span.end) && end.free.cols() == dim &&
+           end.spring == 0 && layout_.spans_at(span.end).size() == 1;
+  }
+
   static void set_columns(Acting& now) {
     now.columns.assign(int(now.known.size()), [&](int e) { return now.known[e]; });
   }

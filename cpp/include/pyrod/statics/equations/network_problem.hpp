@@ -117,8 +117,8 @@ class NetworkProblem {
     scales_.rounding(x, loads_.acting(x, changed), out);
   }
   double unit_energy() const { return layout_.unit_moment(); }
-  /// None where all rods are clamped, and the loads tell all forces: nothing can make the factor
-  /// break.
+  /// None where all rods are clamped and the loads tell all forces: only a mode without stiffness
+  /// can make the factor break.
   double least_shift() const { return layout_.determinate() && dead_loads() ? 0 : 1e-6; }
 
  private:

@@ -17,7 +17,7 @@
 
 namespace pyrod {
 
-/// r_j = r_{j-1} + h R Γ, Linn (20), in one pass. See `Recovery` for the stride.
+/// r_j = r_{j-1} + h R Γ, Linn (50), in one pass. See `Recovery` for the stride.
 template <class Space>
 class EdgesOfSpan {
  public:
@@ -34,23 +34,23 @@ class EdgesOfSpan {
   /// From the position of the start if that is given, else back from that of the end.
   void fill(RodSolution<Space>& s, const Point<Space>* start, const Point<Space>& end,
             Extremes<Space>& extremes) {
-    walk(s, start ? *start : Point<Space>(Point<Space>::Zero()), extremes);
-    if (start) return;
-    const Point<Space> shift = end - end_;
+    walk(s, extremes);
+    start_ = start ? *start : Point<Space>(end - reach_);
+    end_ = start_ + reach_;
     for (int j = span_.first; j <= span_.last; j += stride_)
-      s.curve.positions[j / stride_] += shift;
-    if (stride_ > 1) s.load_moment += cross(shift, acted_);
-    start_ = shift, end_ = end;
+      s.curve.positions[j / stride_] += start_;
+    if (stride_ > 1) s.load_moment += cross(start_, acted_);
   }
 
   const Point<Space>& start() const { return start_; }
   const Point<Space>& end() const { return end_; }
 
  private:
-  void walk(RodSolution<Space>& s, Point<Space> r, Extremes<Space>& extremes) {
+  /// From the start, so that far from the origin rounding does not add up.
+  void walk(RodSolution<Space>& s, Extremes<Space>& extremes) {
+    Point<Space> r = Point<Space>::Zero();
     const auto& rod = layout_.network().rods[span_.rod];
     const auto& loads = layout_.network().loads[span_.rod];
-    start_ = r;
     s.curve.positions[span_.first / stride_] = r;
     act(s, r, span_.first);
     Point<Space> Γ_before = axis<Space>(), n_before = Point<Space>::Zero(), share_before = n_before;
@@ -73,7 +73,7 @@ class EdgesOfSpan {
       if (j + 1 < span_.last || span_.last == rod.edges()) act(s, r, j + 1);
       Γ_before = Γ, n_before = n, share_before = share;
     }
-    end_ = r;
+    reach_ = r;
   }
 
   /// The moment of what acts on vertex j.
@@ -88,7 +88,7 @@ class EdgesOfSpan {
   const Span<Space>& span_;
   const std::vector<Point<Space>>&load_, &sections_;
   int stride_;
-  Point<Space> start_, end_, acted_ = Point<Space>::Zero();
+  Point<Space> start_, end_, reach_, acted_ = Point<Space>::Zero();
 };
 
 }  // namespace pyrod

@@ -16,6 +16,7 @@
 #include <pyrod/statics/unknowns/network_state.hpp>
 #include <pyrod/statics/unknowns/spans.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -180,9 +181,8 @@ class Recovery {
 
   /// What the half cell before a held vertex exerts.
   const Spin<Space>& before(int rod, int vertex) const {
-    for (const auto& cell : before_)
-      if (cell.rod == rod && cell.vertex == vertex) return cell.moment_before;
-    return before_.front().moment_before;
+    const auto number = [](const auto& cell) { return std::pair(cell.rod, cell.vertex); };
+    return std::ranges::lower_bound(before_, std::pair(rod, vertex), {}, number)->moment_before;
   }
 
   /// What vertices say, when reactions have been told from what the halves of their cells exert.
@@ -216,7 +216,7 @@ class Recovery {
   std::vector<Point<Space>> sections_;  ///< n on all edges
   int stride_;
   std::vector<Extremes<Space>> extremes_;  ///< of each rod
-  std::vector<HalvedCell<Space>> before_;
+  std::vector<HalvedCell<Space>> before_;  ///< rod by rod, along each
 };
 
 }  // namespace pyrod

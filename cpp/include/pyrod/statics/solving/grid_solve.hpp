@@ -82,7 +82,7 @@ class GridSolve {
     if (open && !search_.interrupted() && cannot_hold(layout_, search_.state, search_.converged()))
       search_.found.status = Status::taut;
     else if (resort && !search_.converged() && !search_.interrupted())
-      bring_on_loads(start), newton_.look_at(search_.state);
+      bring_on_loads(start), look_there();
     if (open && !estimate && search_.converged()) untie_false_shapes();
     finish();
   }
@@ -97,7 +97,7 @@ class GridSolve {
         follow(newton, [&](double part, State&) { problem.load(part, 1); }, std::move(start));
     search_.found.load_steps = path.steps;
     search_.keep(std::move(path.result));
-    newton_.look_at(search_.state);
+    look_there();
     finish();
   }
 
@@ -122,6 +122,11 @@ class GridSolve {
   }
 
  private:
+  /// Where another solver than `newton_` has led to, or from where that went astray.
+  void look_there() {
+    if (search_.converged()) newton_.look_at(search_.state);
+  }
+
   void untie_false_shapes() {
     if (!untie(layout_, search_.state)) return;
     search_.keep(newton_.solve(search_.state, Hessian::exact));
@@ -194,7 +199,7 @@ class GridSolve {
       search_.add_record(result.record);
     }
     newton_.set(options_);
-    if (!left) newton_.look_at(search_.state);
+    if (!left) look_there();
     return left;
   }
 
