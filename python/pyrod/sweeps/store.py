@@ -96,7 +96,10 @@ def _named(function: Any) -> str:
             f"store: {function!r} has no name by which it could be told from others; write it with "
             "def"
         )
-    return f"{function.__module__}.{function.__qualname__}"
+    module = function.__module__
+    if module.startswith("pyrod."):
+        module = "pyrod"  # wherever it stands in it
+    return f"{module}.{function.__qualname__}"
 
 
 def _digest(values: Any) -> str:
