@@ -72,27 +72,32 @@ inline Vector numbers(const Array& a, const char* name) {
   return Eigen::Map<const Vector>(a.data(), a.shape(0));
 }
 
-/// (n, 4) unit quaternions, scalar first. A length that is off by more than 1e-6 is an error, not
-/// rounding.
+/// Four numbers as a unit quaternion, scalar first. A length that is off by more than 1e-6 is an
+/// error, not rounding.
+template <class... Name>
+Quaternion unit_quaternion(const double* numbers, const Name&... name) {
+  const Vec<4> p = Eigen::Map<const Vec<4>>(numbers);
+  require(p.allFinite(), name..., ": expected finite numbers, got ", p.transpose());
+  require(std::abs(p.norm() - 1) < 1e-6, name...,
+          ": expected a unit quaternion (w, x, y, z), got length ", p.norm(),
+          "; divide it by its length");
+  return Quaternion(p[0], p[1], p[2], p[3]).normalized();
+}
+
+/// (n, 4)
 inline std::vector<Quaternion> quaternions(const Array& a, const char* name) {
   require(a.ndim() == 2 && a.shape(1) == 4, name, ": expected an array of shape (n, 4), got ",
           shape_of(a));
   std::vector<Quaternion> out(std::size_t(a.shape(0)));
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const Vec<4> p = Eigen::Map<const Vec<4>>(a.data(py::ssize_t(i), 0));
-    require(p.allFinite(), name, "[", i, "]: expected finite numbers, got ", p.transpose());
-    require(std::abs(p.norm() - 1) < 1e-6, name, "[", i,
-            "]: expected a unit quaternion (w, x, y, z), got length ", p.norm(),
-            "; divide it by its length");
-    out[i] = Quaternion(p[0], p[1], p[2], p[3]).normalized();
-  }
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = unit_quaternion(a.data(py::ssize_t(i), 0), name, "[", i, "]");
   return out;
 }
 
 inline Quaternion quaternion(const Array& a, const char* name) {
   require(a.ndim() == 1 && a.shape(0) == 4, name,
           ": expected a quaternion (w, x, y, z), got shape ", shape_of(a));
-  return quaternions(a.attr("reshape")(1, 4), name)[0];
+  return unit_quaternion(a.data(), name, "[0]");
 }
 
 template <int N>
@@ -160,6 +165,12 @@ inline py::array_t<double> array(const Quaternion& q) { return array<4>(coeffici
 
 inline py::array_t<double> array(const Vector& v) {
   return py::array_t<double>(v.size(), v.data());
+}
+
+/// The array, read-only from now on.
+inline py::array locked(py::array a) {
+  py::detail::array_proxy(a.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return a;
 }
 
 }  // namespace pyrod::bind

@@ -7,22 +7,14 @@ namespace pyrod::bind {
 
 namespace {
 
-void lock(py::array& a) {
-  py::detail::array_proxy(a.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
-}
-
 /// Read-only array of vectors that belong to `owner`, or of a copy.
 py::array view(const std::vector<Vec3>& rows, const py::object& owner) {
   const auto* data = reinterpret_cast<const double*>(rows.data());
-  py::array_t<double> out({py::ssize_t(rows.size()), py::ssize_t(3)}, data, owner);
-  lock(out);
-  return out;
+  return locked(py::array_t<double>({py::ssize_t(rows.size()), py::ssize_t(3)}, data, owner));
 }
 template <class Rows>
 py::array copied(const Rows& rows) {
-  auto out = array(rows);
-  lock(out);
-  return out;
+  return locked(array(rows));
 }
 
 /// What holds just before every vertex: a copy of what holds behind, but where that differs.
@@ -40,8 +32,7 @@ py::dict record(const std::vector<Iteration>& lines) {
     using T = std::decay_t<decltype(value(lines[0]))>;
     py::array_t<T> out{py::ssize_t(lines.size())};
     for (std::size_t i = 0; i < lines.size(); ++i) out.mutable_at(py::ssize_t(i)) = value(lines[i]);
-    lock(out);
-    return out;
+    return locked(std::move(out));
   };
   using I = Iteration;
   py::dict out;

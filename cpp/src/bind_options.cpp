@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bind.hpp"
 
-#include <pyrod/scene/choice.hpp>
 #include <pyrod/solve/options.hpp>
 
 namespace pyrod::bind {
@@ -71,10 +70,6 @@ void bind_fields(py::module_& module, const char* name, const char* doc) {
 
 void options(py::module_& module) {
   bind_fields<Options>(module, "Options", "What may be tuned in a solve; keywords only.");
-
-  py::enum_<Dimension>(module, "Dimension")
-      .value("planar", Dimension::planar)
-      .value("spatial", Dimension::spatial);
 }
 
 }  // namespace pyrod::bind

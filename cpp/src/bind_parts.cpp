@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// \file Supports, loads and joints: made from the values of their fields, in their order.
 #include "function.hpp"
 #include "parts.hpp"
 
@@ -6,93 +7,80 @@ namespace pyrod::bind {
 
 namespace {
 
-std::optional<Vec3> maybe_vector(const std::optional<Array>& a, const char* name) {
-  return a ? std::optional(vector3(*a, name)) : std::nullopt;
-}
-std::optional<Quaternion> maybe_frame(const std::optional<Array>& a) {
-  return a ? std::optional(quaternion(*a, "frame")) : std::nullopt;
-}
+// What a field of each type is read from ----------------------------------------------------------
 
-/// Along a rod: (3,), (n, 3) or a function of arc length.
-Along<Vec3> along(const py::object& values, const char* name) {
-  if (PyCallable_Check(values.ptr()))
-    return [f = Function(values), name](double s) {
+void read(const py::handle& given, const char* name, Vec3& out) {
+  out = vector3(given.cast<Array>(), name);
+}
+void read(const py::handle& given, const char* name, Quaternion& out) {
+  out = quaternion(given.cast<Array>(), name);
+}
+void read(const py::handle& given, const char*, Place& out) { out = place(given); }
+void read(const py::handle& given, const char*, std::vector<Place>& out) {
+  for (const auto& point : given.cast<py::tuple>()) out.push_back(place(point));
+}
+void read(const py::handle& given, const char*, JointKind& out) {
+  const auto kind = given.cast<std::string>();
+  out = kind == "rigid" ? JointKind::rigid : kind == "hinge" ? JointKind::hinge : JointKind::ball;
+}
+void read(const py::handle& given, const char* name, bool& out) {
+  try {
+    out = given.cast<bool>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(
+        text(name, ": expected True or False, got ", py::cast<std::string>(py::repr(given))));
+  }
+}
+void read(const py::handle& given, const char*, int& out) { out = given.cast<int>(); }
+void read(const py::handle& given, const char*, double& out) { out = given.cast<double>(); }
+/// (3,), (n, 3) or a function of arc length.
+void read(const py::handle& given, const char* name, Along<Vec3>& out) {
+  if (PyCallable_Check(given.ptr())) {
+    const Function f(py::reinterpret_borrow<py::function>(given));
+    out = [f, name](double s) {
       return f(s, [name](const py::object& v) { return vector3(v.cast<Array>(), name); });
     };
-  const auto a = values.cast<Array>();
-  if (a.ndim() == 1) return vector3(a, name);
-  return vectors<3>(a, name);
+    return;
+  }
+  const auto a = given.cast<Array>();
+  if (a.ndim() == 1)
+    out = vector3(a, name);
+  else
+    out = vectors<3>(a, name);
+}
+template <class T>
+void read(const py::handle& given, const char* name, std::optional<T>& out) {
+  if (given.is_none()) return;
+  T value{};
+  read(given, name, value);
+  out = value;
 }
 
-void supports(py::module_& module) {
-  using MaybeArray = std::optional<Array>;
-  py::class_<Clamp>(module, "Clamp")
-      .def(py::init([](const MaybeArray& r, const MaybeArray& q, const py::object& at, int turns) {
-        return Clamp{maybe_vector(r, "position"), maybe_frame(q), place(at), turns};
-      }));
-  py::class_<Hinge>(module, "Hinge").def(py::init([](const MaybeArray& r, const py::object& at) {
-    return Hinge{maybe_vector(r, "position"), place(at)};
+/// The class of one kind.
+template <class T>
+void part(py::module_& module, const char* kind) {
+  py::class_<T> type(module, kind);
+  type.attr("fields") = std::apply(
+      [](const auto&... field) { return py::list(py::make_tuple(field.name...)); }, T::fields());
+  type.def(py::init([kind](const py::args& values) {
+    T out{};
+    std::size_t i = 0;
+    const auto next = [&](const auto& field) { read(values[i++], field.name, out.*field.member); };
+    std::apply(
+        [&](const auto&... field) {
+          if (values.size() != sizeof...(field))
+            throw py::type_error(text(kind, ": expected ", sizeof...(field), " values"));
+          (next(field), ...);
+        },
+        T::fields());
+    return out;
   }));
-  py::class_<Slider>(module, "Slider")
-      .def(py::init([](const MaybeArray& along, const MaybeArray& normal, const MaybeArray& r,
-                       const MaybeArray& q, bool clamped, const py::object& at) {
-        return Slider{maybe_vector(along, "along"),
-                      maybe_vector(normal, "normal"),
-                      maybe_vector(r, "position"),
-                      maybe_frame(q),
-                      clamped,
-                      place(at)};
-      }));
-  py::class_<Sleeve>(module, "Sleeve")
-      .def(py::init([](const MaybeArray& r, const MaybeArray& q, const py::object& at) {
-        return Sleeve{maybe_vector(r, "position"), maybe_frame(q), place(at)};
-      }));
-  py::class_<Pivot>(module, "Pivot")
-      .def(py::init([](const Array& axis, const MaybeArray& r, const MaybeArray& q,
-                       const py::object& at, const MaybeArray& along) {
-        return Pivot{vector3(axis, "axis"), maybe_vector(r, "position"), maybe_frame(q), place(at),
-                     maybe_vector(along, "along")};
-      }));
-  py::class_<Spring>(module, "Spring")
-      .def(py::init([](double stiffness, double torsion, const MaybeArray& r, const MaybeArray& q,
-                       const py::object& at) {
-        return Spring{stiffness, torsion, maybe_vector(r, "position"), maybe_frame(q), place(at)};
-      }));
-  py::class_<Joint>(module, "Joint")
-      .def(py::init([](const py::tuple& points, const std::string& kind, int turns,
-                       const std::optional<bool>& aligned, const MaybeArray& axis) {
-        Joint out{{},
-                  kind == "rigid"   ? JointKind::rigid
-                  : kind == "hinge" ? JointKind::hinge
-                                    : JointKind::ball,
-                  turns,
-                  aligned,
-                  maybe_vector(axis, "axis")};
-        for (const auto& point : points) out.points.push_back(place(point));
-        return out;
-      }));
 }
 
-void loads(py::module_& module) {
-  py::class_<Force>(module, "Force")
-      .def(py::init([](const Array& F, const py::object& at, bool follower) {
-        return Force{vector3(F, "force"), place(at), follower};
-      }));
-  py::class_<Moment>(module, "Moment")
-      .def(py::init([](const Array& M, const py::object& at, bool follower) {
-        return Moment{vector3(M, "moment"), place(at), follower};
-      }));
-  py::class_<DistributedForce>(module, "DistributedForce")
-      .def(py::init([](const py::object& f, int rod, bool follower) {
-        return DistributedForce{along(f, "force_per_length"), rod, follower};
-      }));
-  py::class_<DistributedMoment>(module, "DistributedMoment")
-      .def(py::init([](const py::object& l, int rod, bool follower) {
-        return DistributedMoment{along(l, "moment_per_length"), rod, follower};
-      }));
-  py::class_<Gravity>(module, "Gravity").def(py::init([](const Array& g) {
-    return Gravity{vector3(g, "acceleration")};
-  }));
+/// The classes of all kinds of a variant.
+template <class... T>
+void parts(py::module_& module, const std::variant<T...>*) {
+  (part<T>(module, T::kind), ...);
 }
 
 }  // namespace
@@ -108,8 +96,9 @@ Place place(const py::handle& at) {
 }
 
 void parts(py::module_& module) {
-  supports(module);
-  loads(module);
+  parts(module, static_cast<const Support*>(nullptr));
+  parts(module, static_cast<const Load*>(nullptr));
+  part<Joint>(module, "Joint");
 }
 
 }  // namespace pyrod::bind

@@ -67,10 +67,10 @@ Placement<Spatial> placement_of(const Array& r0, const Array& q0) {
 }
 
 GivenRod of_sections(const Array& h, const py::object& section, const py::object& curvature,
-                     bool corners, const std::optional<ModelKind>& model, bool chooses,
+                     bool corners, const std::optional<std::string>& model, bool chooses,
                      const Array& r0, const Array& q0) {
-  auto spec =
-      precurved(numbers(h, "edge_lengths"), sections_of(section), curvature_of(curvature), model);
+  auto spec = precurved(numbers(h, "edge_lengths"), sections_of(section), curvature_of(curvature),
+                        model ? std::optional(model_of(*model)) : std::nullopt);
   spec.corners = corners;
   spec.chooses = chooses;
   if (chooses) spec.kept = detail::steps(spec);
@@ -81,7 +81,7 @@ GivenRod of_sections(const Array& h, const py::object& section, const py::object
 /// `sides`: one (4, 3) for each jump, stiffness and rest curvature before the vertex, and behind.
 GivenRod of_arrays(const Array& h, const Array& bending, const Array& stretching, const Array& K0,
                    const Array& mass, bool corners, const std::vector<int>& jumps,
-                   const Array& sides, ModelKind model, const Array& r0, const Array& q0) {
+                   const Array& sides, const std::string& model, const Array& r0, const Array& q0) {
   require(sides.ndim() == 3 && sides.shape(0) == py::ssize_t(jumps.size()) && sides.shape(1) == 4 &&
               sides.shape(2) == 3,
           "sides: expected shape (", jumps.size(), ", 4, 3), got ", shape_of(sides));
@@ -91,7 +91,8 @@ GivenRod of_arrays(const Array& h, const Array& bending, const Array& stretching
     const auto side = [&](int k) { return Vec3(sides.data(py::ssize_t(i), k, 0)); };
     arrays.jumps.push_back({jumps[i], side(0), side(1), side(2), side(3)});
   }
-  auto spec = discrete(numbers(h, "edge_lengths"), std::move(arrays), vectors<3>(K0, "K0"), model);
+  auto spec = discrete(numbers(h, "edge_lengths"), std::move(arrays), vectors<3>(K0, "K0"),
+                       model_of(model));
   spec.corners = corners;
   spec.placement = placement_of(r0, q0);
   return GivenRod(std::move(spec));
@@ -109,9 +110,9 @@ GivenRod on(const GivenRod& rod, const Array& h, const std::optional<std::vector
   return GivenRod(std::move(spec));
 }
 
-GivenRod replaced(const GivenRod& rod, ModelKind model, const Array& r0, const Array& q0) {
+GivenRod replaced(const GivenRod& rod, const std::string& model, const Array& r0, const Array& q0) {
   GivenRod out = rod;
-  out.spec.model = model;
+  out.spec.model = model_of(model);
   out.spec.placement = placement_of(r0, q0);
   return out;
 }
@@ -140,13 +141,8 @@ std::optional<std::vector<double>> kept(const GivenRod& given) {
 }  // namespace
 
 void rod(py::module_& module) {
-  py::enum_<ModelKind>(module, "Model")
-      .value("cosserat", ModelKind::cosserat)
-      .value("extensible", ModelKind::extensible)
-      .value("inextensible", ModelKind::inextensible);
-
-  py::class_<GivenRod>(module, "Rod", "A rod as it was given, and on its grid.")
-      .def_static("of_sections", &of_sections, py::arg("edge_lengths"), py::arg("section"),
+  py::class_<GivenRod> type(module, "Rod", "A rod as it was given, and on its grid.");
+  type.def_static("of_sections", &of_sections, py::arg("edge_lengths"), py::arg("section"),
                   py::arg("curvature"), py::arg("corners"), py::arg("model"), py::arg("chooses"),
                   py::arg("position"), py::arg("frame"))
       .def_static("of_arrays", &of_arrays, py::arg("edge_lengths"), py::arg("bending"),
@@ -157,9 +153,11 @@ void rod(py::module_& module) {
       .def(
           "with_vertices",
           [](const GivenRod& rod, const Array& at) {
-            return GivenRod(with_vertices(rod.spec, list_of(at)));
+            auto spec = with_vertices(rod.spec, list_of(at));
+            return same_grid(spec, rod.spec) ? std::nullopt
+                                             : std::optional(GivenRod(std::move(spec)));
           },
-          py::arg("at"))
+          py::arg("at"), "None: they are there.")
       .def("replaced", &replaced, py::arg("model"), py::arg("position"), py::arg("frame"))
       .def(
           "at_rest",
@@ -171,22 +169,23 @@ void rod(py::module_& module) {
           py::arg("position"), py::arg("frame"))
       .def("energy", &energy_at, py::arg("positions"), py::arg("frames"), py::arg("start_frame"),
            py::arg("end_frame"))
-      .def_property_readonly("edge_lengths",
-                             [](const GivenRod& g) { return array(g.spec.edge_lengths); })
-      .def_property_readonly("bending",
-                             [](const GivenRod& g) { return array<3>(g.made.rod.bending); })
-      .def_property_readonly("stretching",
-                             [](const GivenRod& g) { return array<3>(g.made.rod.stretching); })
-      .def_property_readonly("K0", [](const GivenRod& g) { return array<3>(g.made.rod.K0); })
-      .def_property_readonly(
-          "mass", [](const GivenRod& g) { return py::array_t<double>(py::cast(g.made.mass)); })
-      .def_property_readonly("model", &GivenRod::model)
       .def_property_readonly("jumps", &jumps)
       .def_property_readonly("kept", &kept)
       .def_property_readonly("marks", [](const GivenRod& g) { return g.spec.marks; })
-      .def_property_readonly("arc_lengths",
-                             [](const GivenRod& g) { return array(g.made.rod.grid.arc_lengths()); })
+      .def_property_readonly("edges", [](const GivenRod& g) { return g.spec.edges(); })
       .def_property_readonly("length", [](const GivenRod& g) { return g.made.rod.grid.length(); });
+  const auto given = [&type](const char* name, auto&& get) {
+    type.def_property_readonly(name, [get](const GivenRod& g) { return locked(array(get(g))); });
+  };
+  given("edge_lengths", [](const GivenRod& g) { return g.spec.edge_lengths; });
+  given("bending", [](const GivenRod& g) { return g.made.rod.bending; });
+  given("stretching", [](const GivenRod& g) { return g.made.rod.stretching; });
+  given("K0", [](const GivenRod& g) { return g.made.rod.K0; });
+  given("arc_lengths", [](const GivenRod& g) { return g.made.rod.grid.arc_lengths(); });
+  given("mass_per_length", [](const GivenRod& g) {
+    return Vector(Eigen::Map<const Vector>(g.made.mass.data(), std::ssize(g.made.mass)));
+  });
+  type.def_property_readonly("model", [](const GivenRod& g) { return name(g.model()); });
 
   module.def(
       "natural_edges",

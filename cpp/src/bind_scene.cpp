@@ -2,6 +2,7 @@
 #include "parts.hpp"
 
 #include <pyrod/core/parallel.hpp>
+#include <pyrod/scene/plane.hpp>
 #include <pyrod/statics/known_start.hpp>
 #include <pyrod/statics/solver.hpp>
 
@@ -12,11 +13,11 @@ namespace pyrod::bind {
 namespace {
 
 Solver scene_of(const std::vector<const GivenRod*>& rods, std::vector<Support> supports,
-                std::vector<Joint> joints, std::vector<Load> loads, Dimension space) {
+                std::vector<Joint> joints, std::vector<Load> loads, const std::string& space) {
   std::vector<RodSpec> specs;
   for (const auto* rod : rods) specs.push_back(rod->spec);
-  return Solver(
-      Scene(std::move(specs), std::move(supports), std::move(loads), space, std::move(joints)));
+  return Solver(Scene(std::move(specs), std::move(supports), std::move(loads), space_of(space),
+                      std::move(joints)));
 }
 
 /// Others may find it just now, and ask functions of Python for it: the lock must be free.
@@ -29,16 +30,14 @@ const ReadyScene& climbing(const Solver& scene) {
 py::list rods_of(const ReadyScene& ready, const std::vector<const GivenRod*>& given) {
   py::list out;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    const auto &now = ready.scene().rods[i], &before = given[i]->spec;
-    const bool same = now.edge_lengths.size() == before.edge_lengths.size() &&
-                      now.kept == before.kept && now.marks == before.marks;
-    out.append(same ? py::object(py::none()) : py::cast(GivenRod(now)));
+    const auto& now = ready.scene().rods[i];
+    out.append(same_grid(now, given[i]->spec) ? py::object(py::none()) : py::cast(GivenRod(now)));
   }
   return out;
 }
 
 py::tuple placement(const Placement<Spatial>& at) {
-  return py::make_tuple(array<3>(at.position), array(at.frame));
+  return py::make_tuple(locked(array<3>(at.position)), locked(array(at.frame)));
 }
 
 /// Numbers of the rod and of its vertex.
@@ -50,16 +49,21 @@ py::tuple vertex(const Solver& scene, const py::object& at) {
   return py::make_tuple(there.rod, scene.plain().grid().vertex(there));
 }
 
-/// Of a joint: rods, whether they are held rigidly, how they are turned against the node, turns,
-/// and axes of hinges in the frame of the node.
-py::list attachments(const Solver& scene, int joint) {
-  const auto& on = scene.plain().network();
-  py::list out;
-  for (const auto& a : on.network.attachments)
-    if (a.node == on.joint_nodes[std::size_t(joint)])
-      out.append(py::make_tuple(a.rod, a.rigid, array(a.relative), a.turns,
-                                a.hinge ? py::object(array<3>(*a.hinge)) : py::none()));
-  return out;
+/// Directions (k, 3) in which a support lets its point move, if its frame is the given one.
+py::array free_directions(const Solver& scene, int support, const Array& frame) {
+  const auto& supports = scene.plain().scene().supports;
+  const auto free = hold(supports.at(std::size_t(support)), quaternion(frame, "frame")).free;
+  std::vector<Vec3> rows;
+  for (Eigen::Index i = 0; i < free.cols(); ++i) rows.emplace_back(free.col(i));
+  return array<3>(rows);
+}
+
+/// Whether finer grids ask more of the rods than what is linear between their vertices.
+bool rods_are_asked(const Solver& scene) {
+  return scene.plain().corners() ||
+         std::ranges::any_of(scene.plain().scene().rods, [](const RodSpec& rod) {
+           return !rod.arrays && (rod.section.index() > 0 || is_function(rod.curvature));
+         });
 }
 
 /// Frames of the edges without a tolerance, on those with one.
@@ -230,10 +234,17 @@ void scene(py::module_& module) {
           py::arg("support"))
       .def_property_readonly("plane",
                              [](const Solver& s) { return placement(s.plain().network().plane); })
-      .def("attachments", &attachments, py::arg("joint"))
+      .def(
+          "leaving_plane",
+          [](const Solver& s, int across) {
+            return leaving_plane(s.plain().grid(), s.plain().network(), across);
+          },
+          py::arg("across"), "What leaves the plane across a1 (0) or a2 (1), in words.")
       .def(
           "dead_loads", [](const Solver& s, int rod) { return dead(s.plain().grid().loads(rod)); },
           py::arg("rod"))
+      .def("free_directions", &free_directions, py::arg("support"), py::arg("frame"))
+      .def_property_readonly("rods_are_asked", &rods_are_asked)
       .def("level", &level, py::arg("number"))
       .def("solve", &solve_one, py::arg("start"), py::arg("options"), py::arg("tol"),
            py::arg("stable"), py::arg("eigenvalue"), py::arg("trace"), py::arg("progress"));

@@ -6,6 +6,8 @@
 
 #include <pyrod/scene/scene.hpp>
 
+#include <string_view>
+
 namespace pyrod::bind {
 
 /// A rod as it was given, and on its grid, whatever its model is.
@@ -19,6 +21,25 @@ struct GivenRod {
 
   ModelKind model() const { return spec.model.value_or(made.richest); }
 };
+
+/// Whether two rods that are made of the same stand on the same grid.
+inline bool same_grid(const RodSpec& a, const RodSpec& b) {
+  return a.edge_lengths.size() == b.edge_lengths.size() && a.kept == b.kept && a.marks == b.marks;
+}
+
+/// Models and spaces go by their names, which Python has checked.
+inline ModelKind model_of(std::string_view name) {
+  return name == "cosserat"     ? ModelKind::cosserat
+         : name == "extensible" ? ModelKind::extensible
+                                : ModelKind::inextensible;
+}
+inline const char* name(ModelKind model) {
+  constexpr const char* names[] = {"cosserat", "extensible", "inextensible"};
+  return names[int(model)];
+}
+inline Dimension space_of(std::string_view name) {
+  return name == "planar" ? Dimension::planar : Dimension::spatial;
+}
 
 /// "start", "end", an arc length, or (number of a rod, one of these).
 Place place(const py::handle& at);

@@ -27,9 +27,9 @@ def assert_same(a: Scene, b: Scene) -> None:
     for one, other in zip(a.rods, b.rods, strict=True):
         assert all(map(np.array_equal, one.placement, other.placement))
         assert one._law.outlines(one.edge_lengths) == other._law.outlines(other.edge_lengths)
-        assert one._refined(1) == other._refined(1)
-        assert one._breaks == other._breaks
-        first, second = (rod._rod.jumps for rod in (one, other))
+        assert one.refined(1) == other.refined(1)
+        assert one._compiled.kept == other._compiled.kept
+        first, second = (rod._compiled.jumps for rod in (one, other))
         assert first[0] == second[0]
         assert np.array_equal(first[1], second[1])
 
@@ -73,7 +73,7 @@ def test_the_solver_still_chooses_the_edges() -> None:
     (rod,) = write(scene)["rods"]
     assert {**rod, "vertices": [0.3]} == rod
     assert not {"edges", "grid"} & set(rod)
-    assert read(write(scene))._chooses_edges
+    assert read(write(scene)).rods[0]._compiled.kept is not None
 
 
 def test_equal_sections_are_written_once() -> None:
@@ -135,8 +135,8 @@ def test_rods_by_curvature_places_and_vertices() -> None:
     np.testing.assert_allclose(r[-1], [2, 2, 3], atol=1e-15)
     turned = rod(length=1, edges=4, frame=[[1, 0, 0], [0, -1, 0], [0, 0, -1]])
     np.testing.assert_allclose(turned.at_rest()[0][-1], [0, 0, -1], atol=1e-15)
-    assert rod(length=1)._breaks == ()
-    assert rod(length=1, vertices=[0.25])._breaks == (0.25,)
+    assert rod(length=1)._compiled.kept == []
+    assert rod(length=1, vertices=[0.25])._compiled.kept == [0.25]
     assert rod(edge_lengths=[0.1, "20 cm"], model="inextensible").model == "inextensible"
     assert rod(length=1, edges=2, section=["wire", "wire"]).edges == 2
 

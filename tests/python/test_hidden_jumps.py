@@ -36,7 +36,7 @@ def test_sections_and_curvatures_that_jump_have_a_vertex() -> None:
         found = scene._climbing.rod
         assert found.edges == 17
         assert np.abs(found.arc_lengths - AT).min() < 1e-12
-        assert found._rod.jumps[0] == [np.abs(found.arc_lengths - AT).argmin()]
+        assert found._compiled.jumps[0] == [np.abs(found.arc_lengths - AT).argmin()]
 
 
 def test_vertices_and_steep_functions_are_no_jumps() -> None:

@@ -49,7 +49,7 @@ def test_a_section_per_edge() -> None:
 
 def test_sections_per_edge_stay_where_they_are_when_edges_are_cut() -> None:
     rod = Rod.straight(1.0, 2, [THIN, THICK])
-    for finer in (rod.with_vertices([0.25, 0.9]), rod._refined(2)):
+    for finer in (rod.with_vertices([0.25, 0.9]), rod.refined(2)):
         assert finer.edges > 2
         assert finer.outline(0.4999) == THIN.outline
         assert finer.outline(0.5) == THICK.outline
@@ -75,7 +75,7 @@ def test_rods_made_from_curves_have_their_outline() -> None:
     positions = np.column_stack([np.zeros((3, 2)), [0.0, 1.0, 3.0]])
     frames = np.tile([1.0, 0, 0, 0], (2, 1))
     rod = Rod.from_curve(positions, frames, [THIN, THICK])
-    for one in (rod, rod.placed((1, 2, 3)), rod.with_vertices(2.0), rod._refined(1)):
+    for one in (rod, rod.placed((1, 2, 3)), rod.with_vertices(2.0), rod.refined(1)):
         assert one.outline(0.9) == THIN.outline
         assert one.outline(1.5) == THICK.outline
     assert pickle.loads(pickle.dumps(rod)).outline(1.5) == THICK.outline
@@ -93,10 +93,10 @@ def test_local_functions_become_tables_of_outlines() -> None:
     again = pickle.loads(pickle.dumps(rod))
     assert not callable(getattr(again._law, "section", None))
     assert outlines(again) == outlines(rod)
-    assert again._refined(1).outline(0.375).radius == pytest.approx(radius(0.375), rel=1e-8)
+    assert again.refined(1).outline(0.375).radius == pytest.approx(radius(0.375), rel=1e-8)
     s = np.linspace(0, 1, 9)
     halves = np.column_stack([radius(s[:-1]), radius(s[1:])])
-    np.testing.assert_allclose(radii(again._refined(1)), halves, rtol=1e-8)
+    np.testing.assert_allclose(radii(again.refined(1)), halves, rtol=1e-8)
 
 
 def test_tables_between_kinds_of_outlines_take_the_nearer() -> None:
@@ -165,7 +165,7 @@ def test_tables_know_where_there_is_no_outline() -> None:
     def partly(s: float) -> Section:
         return THIN if s > 0.1 else replace(THIN, outline=None)
 
-    finer = pickle.loads(pickle.dumps(Rod.straight(1.0, 1, partly)))._refined(2)
+    finer = pickle.loads(pickle.dumps(Rod.straight(1.0, 1, partly))).refined(2)
     assert finer.outline(0.1) == Outline.rectangle(0.02, 0.02)
     assert finer.outline(0.8) == THIN.outline
 

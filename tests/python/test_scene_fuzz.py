@@ -57,7 +57,7 @@ def places(document: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Rods of many edges are no errors, but take time."""
     monkeypatch.setattr("pyrod.document.rods.MOST_EDGES", 2000)
-    edges = schema.Key(schema.whole(1, 2000))
+    edges = schema.Key(schema.whole_number(1, 2000))
     monkeypatch.setitem(ROD.keys, "edges", edges)
 
 

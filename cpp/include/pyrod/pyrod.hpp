@@ -12,6 +12,7 @@
 #include <pyrod/curve/link.hpp>
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/scene.hpp>
+#include <pyrod/scene/plane.hpp>
 #include <pyrod/statics/scene_solver.hpp>
 
 #ifdef PYROD_COMPILED

@@ -9,64 +9,16 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Clamp', 'Dimension', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Model', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'Sleeve', 'Slider', 'Spring', 'breaks', 'build', 'curve', 'natural_edges', 'rotation', 'section', 'solve_all']
-class Model:
-    """
-    Members:
-    
-      cosserat
-    
-      extensible
-    
-      inextensible
-    """
-    __members__: typing.ClassVar[dict[str, Model]]
-    cosserat: typing.ClassVar[Model]
-    extensible: typing.ClassVar[Model]
-    inextensible: typing.ClassVar[Model]
-    @typing.overload
-    def __eq__(self, other: Model) -> bool:
-        ...
-    @typing.overload
-    def __eq__(self, other: typing.Any) -> bool:
-        ...
-    def __getstate__(self) -> int:
-        ...
-    def __hash__(self) -> int:
-        ...
-    def __index__(self) -> int:
-        ...
-    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    def __int__(self) -> int:
-        ...
-    @typing.overload
-    def __ne__(self, other: Model) -> bool:
-        ...
-    @typing.overload
-    def __ne__(self, other: typing.Any) -> bool:
-        ...
-    def __repr__(self) -> str:
-        ...
-    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    def __str__(self) -> str:
-        ...
-    @property
-    def name(self) -> str:
-        ...
-    @property
-    def value(self) -> int:
-        ...
+__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'Sleeve', 'Slider', 'Spring', 'breaks', 'build', 'curve', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
     """
     @staticmethod
-    def of_arrays(edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], mass: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], corners: bool, jumps: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], sides: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
+    def of_arrays(edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], mass: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], corners: bool, jumps: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], sides: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], model: str, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
         ...
     @staticmethod
-    def of_sections(edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], section: typing.Any, curvature: typing.Any, corners: bool, model: Model | None, chooses: bool, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
+    def of_sections(edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], section: typing.Any, curvature: typing.Any, corners: bool, model: str | None, chooses: bool, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
         ...
     def at_rest(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         ...
@@ -74,21 +26,26 @@ class Rod:
         ...
     def on(self, edge_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], kept: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] | None, marks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> Rod:
         ...
-    def replaced(self, model: Model, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
+    def replaced(self, model: str, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
         ...
-    def with_vertices(self, at: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod:
+    def with_vertices(self, at: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Rod | None:
+        """
+        None: they are there.
+        """
+    @property
+    def K0(self) -> numpy.ndarray:
         ...
     @property
-    def K0(self) -> numpy.typing.NDArray[numpy.float64]:
+    def arc_lengths(self) -> numpy.ndarray:
         ...
     @property
-    def arc_lengths(self) -> numpy.typing.NDArray[numpy.float64]:
+    def bending(self) -> numpy.ndarray:
         ...
     @property
-    def bending(self) -> numpy.typing.NDArray[numpy.float64]:
+    def edge_lengths(self) -> numpy.ndarray:
         ...
     @property
-    def edge_lengths(self) -> numpy.typing.NDArray[numpy.float64]:
+    def edges(self) -> int:
         ...
     @property
     def jumps(self) -> tuple:
@@ -103,13 +60,13 @@ class Rod:
     def marks(self) -> list[float]:
         ...
     @property
-    def mass(self) -> numpy.typing.NDArray[numpy.float64]:
+    def mass_per_length(self) -> numpy.ndarray:
         ...
     @property
-    def model(self) -> Model:
+    def model(self) -> str:
         ...
     @property
-    def stretching(self) -> numpy.typing.NDArray[numpy.float64]:
+    def stretching(self) -> numpy.ndarray:
         ...
 class Options:
     """
@@ -157,86 +114,53 @@ class Options:
         """
         longest step [rad] taken on the word of the exact Hessian
         """
-class Dimension:
-    """
-    Members:
-    
-      planar
-    
-      spatial
-    """
-    __members__: typing.ClassVar[dict[str, Dimension]]
-    planar: typing.ClassVar[Dimension]
-    spatial: typing.ClassVar[Dimension]
-    @typing.overload
-    def __eq__(self, other: Dimension) -> bool:
-        ...
-    @typing.overload
-    def __eq__(self, other: typing.Any) -> bool:
-        ...
-    def __getstate__(self) -> int:
-        ...
-    def __hash__(self) -> int:
-        ...
-    def __index__(self) -> int:
-        ...
-    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    def __int__(self) -> int:
-        ...
-    @typing.overload
-    def __ne__(self, other: Dimension) -> bool:
-        ...
-    @typing.overload
-    def __ne__(self, other: typing.Any) -> bool:
-        ...
-    def __repr__(self) -> str:
-        ...
-    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    def __str__(self) -> str:
-        ...
-    @property
-    def name(self) -> str:
-        ...
-    @property
-    def value(self) -> int:
-        ...
 class Clamp:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Any, arg3: typing.SupportsInt | typing.SupportsIndex) -> None:
+    fields: typing.ClassVar[list] = ['position', 'frame', 'at', 'turns']
+    def __init__(self, *args) -> None:
         ...
 class Hinge:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Any) -> None:
+    fields: typing.ClassVar[list] = ['position', 'at']
+    def __init__(self, *args) -> None:
         ...
 class Slider:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg3: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg4: bool, arg5: typing.Any) -> None:
+    fields: typing.ClassVar[list] = ['along', 'normal', 'position', 'frame', 'clamped', 'at']
+    def __init__(self, *args) -> None:
         ...
 class Sleeve:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Any) -> None:
+    fields: typing.ClassVar[list] = ['position', 'frame', 'at']
+    def __init__(self, *args) -> None:
         ...
 class Pivot:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg3: typing.Any, arg4: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> None:
+    fields: typing.ClassVar[list] = ['axis', 'position', 'frame', 'at', 'along']
+    def __init__(self, *args) -> None:
         ...
 class Spring:
-    def __init__(self, arg0: typing.SupportsFloat | typing.SupportsIndex, arg1: typing.SupportsFloat | typing.SupportsIndex, arg2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg3: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, arg4: typing.Any) -> None:
-        ...
-class Joint:
-    def __init__(self, arg0: tuple, arg1: str, arg2: typing.SupportsInt | typing.SupportsIndex, arg3: bool | None, arg4: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None) -> None:
+    fields: typing.ClassVar[list] = ['stiffness', 'torsion', 'position', 'frame', 'at']
+    def __init__(self, *args) -> None:
         ...
 class Force:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg1: typing.Any, arg2: bool) -> None:
+    fields: typing.ClassVar[list] = ['force', 'at', 'follower']
+    def __init__(self, *args) -> None:
         ...
 class Moment:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg1: typing.Any, arg2: bool) -> None:
+    fields: typing.ClassVar[list] = ['moment', 'at', 'follower']
+    def __init__(self, *args) -> None:
         ...
 class DistributedForce:
-    def __init__(self, arg0: typing.Any, arg1: typing.SupportsInt | typing.SupportsIndex, arg2: bool) -> None:
+    fields: typing.ClassVar[list] = ['force_per_length', 'rod', 'follower']
+    def __init__(self, *args) -> None:
         ...
 class DistributedMoment:
-    def __init__(self, arg0: typing.Any, arg1: typing.SupportsInt | typing.SupportsIndex, arg2: bool) -> None:
+    fields: typing.ClassVar[list] = ['moment_per_length', 'rod', 'follower']
+    def __init__(self, *args) -> None:
         ...
 class Gravity:
-    def __init__(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    fields: typing.ClassVar[list] = ['acceleration']
+    def __init__(self, *args) -> None:
+        ...
+class Joint:
+    fields: typing.ClassVar[list] = ['points', 'kind', 'turns', 'aligned', 'axis']
+    def __init__(self, *args) -> None:
         ...
 class RodSolution:
     """
@@ -361,9 +285,7 @@ class Scene:
     """
     A scene that is ready to be solved.
     """
-    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity], space: Dimension) -> None:
-        ...
-    def attachments(self, joint: typing.SupportsInt | typing.SupportsIndex) -> list:
+    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity], space: str) -> None:
         ...
     def climbing_rods(self, given: collections.abc.Sequence[Rod]) -> list:
         """
@@ -371,8 +293,14 @@ class Scene:
         """
     def dead_loads(self, rod: typing.SupportsInt | typing.SupportsIndex) -> tuple:
         ...
+    def free_directions(self, support: typing.SupportsInt | typing.SupportsIndex, frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.ndarray:
+        ...
     def held(self, support: typing.SupportsInt | typing.SupportsIndex) -> tuple:
         ...
+    def leaving_plane(self, across: typing.SupportsInt | typing.SupportsIndex) -> str:
+        """
+        What leaves the plane across a1 (0) or a2 (1), in words.
+        """
     def level(self, number: typing.SupportsInt | typing.SupportsIndex) -> tuple:
         ...
     def on_climbing_edges(self, frames: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.ndarray:
@@ -387,6 +315,9 @@ class Scene:
         ...
     @property
     def plane(self) -> tuple:
+        ...
+    @property
+    def rods_are_asked(self) -> bool:
         ...
 def breaks(function: collections.abc.Callable, length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[tuple, bool]:
     """

@@ -7,6 +7,7 @@ in silence (units, masks, imaginary parts) and nobody has to read NumPy's or pyb
 from __future__ import annotations
 
 from decimal import Decimal
+from math import isfinite
 from numbers import Real
 from typing import Any, NoReturn
 
@@ -17,13 +18,16 @@ Array = NDArray[np.float64]
 
 _REAL = "biuf"
 """Kinds of NumPy's numbers that are real."""
+_DOUBLE = np.dtype(np.float64)
+_PLAIN = frozenset((float, int))
 
 
 def array(values: ArrayLike, name: str) -> Array:
     """The values as doubles; shares memory with an array that has them already."""
     if type(values) is np.ndarray and values.dtype.kind in _REAL:
-        return values.astype(np.float64, copy=False)
-    _refuse_strangers(values, name)
+        return values if values.dtype is _DOUBLE else values.astype(np.float64)
+    if not (isinstance(values, tuple) and _PLAIN.issuperset(map(type, values))):
+        _refuse_strangers(values, name)
     try:
         made = np.asarray(values)
     except (ValueError, TypeError, RuntimeError):
@@ -51,13 +55,21 @@ def finite(values: ArrayLike, name: str) -> Array:
 
 def number(value: Any, name: str) -> float:
     """One number; an array of one is one."""
-    if type(value) is float:
-        return value
+    if type(value) is float or (type(value) is int and abs(value) < 2**53):
+        return float(value)
     made = array(value, name)
     if made.size != 1 or isinstance(value, (list, tuple)):
         what = "a list" if isinstance(value, (list, tuple)) else f"an array of shape {made.shape}"
         raise ValueError(f"{name}: expected a number, got {what}")
     return float(made.item())
+
+
+def not_negative(value: Any, name: str) -> float:
+    """One finite number, zero or larger."""
+    made = number(value, name)
+    if not (isfinite(made) and made >= 0):
+        raise ValueError(f"{name}: must be finite and not negative, got {made}")
+    return made
 
 
 def number_as(value: Any, name: str, wanted: str) -> float:
@@ -75,7 +87,7 @@ def whole(value: Any, name: str) -> int:
     if type(value) is int:
         return value
     made = number(value, name)
-    if not (np.isfinite(made) and made == int(made)):
+    if not (isfinite(made) and made == int(made)):
         raise ValueError(f"{name}: must be a whole number, got {made:g}")
     return int(made)
 
@@ -104,7 +116,7 @@ def transposed(made: Array, *widths: int) -> str:
     return "; transpose it (.T), a row is a point" if lies else ""
 
 
-def precision(values: Any) -> float:
+def precision_of(values: Any) -> float:
     """Relative rounding of the numbers as they came: of doubles unless an array has fewer bits."""
     while isinstance(values, (list, tuple)) and values:
         values = values[0]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import fields
-from typing import Any
+from math import isfinite
+from typing import Any, Generic, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,11 +13,14 @@ from numpy.typing import ArrayLike
 from pyrod.base.arrays import Array as Array
 from pyrod.base.arrays import array
 
+Made = TypeVar("Made")
+LazyKind = TypeVar("LazyKind", bound="Lazy")
+
 
 def frozen(values: ArrayLike, name: str = "values") -> Array:
     """A read-only array of doubles that shares no memory with ``values``."""
     made = np.array(array(values, name), order="C")
-    made.flags.writeable = False
+    made.setflags(write=False)
     return made
 
 
@@ -28,7 +33,7 @@ def vector(values: ArrayLike, name: str) -> Array:
         )
     if made.shape != (3,):
         raise ValueError(f"{name}: expected 3 numbers, got shape {made.shape}")
-    if not np.isfinite(made).all():
+    if not all(map(isfinite, made.tolist())):
         raise ValueError(f"{name}: expected finite numbers, got {made}")
     return made
 
@@ -48,20 +53,51 @@ def sealed(values: Any) -> Any:
 class Lazy:
     """Mixin of frozen dataclasses whose arrays are made when they are first asked for.
 
-    ``_source`` is what has the attributes that are still missing, or None.
+    ``_compiled`` is what has the attributes that are still missing, or None.
     """
 
     def __getattr__(self, name: str) -> Any:
         state = self.__dict__
-        source = state.get("_source")
-        missing = AttributeError(f"{type(self).__name__} has no {name!r}")
-        if source is None or name.startswith("_"):
-            raise missing
-        try:
-            value = state[name] = getattr(source, name)
-        except AttributeError:
-            raise missing from None
-        return value
+        source = state.get("_compiled")
+        if source is not None and not name.startswith("_"):
+            try:
+                value = state[name] = getattr(source, name)
+            except AttributeError:
+                pass
+            else:
+                return value
+        raise AttributeError(f"{type(self).__name__} has no {name!r}")
+
+
+def lazily(kind: type[LazyKind], compiled: Any, **known: Any) -> LazyKind:
+    """An object of which this is known, and all else is what is compiled."""
+    made = object.__new__(kind)
+    made.__dict__.update(_compiled=compiled, **known)
+    return made
+
+
+class Once(Generic[Made]):
+    """A property that is computed when it is first asked for.
+
+    Two threads may compute it both; without a lock it costs a fifth.
+    """
+
+    def __init__(self, compute: Callable[[Any], Made]) -> None:
+        self.compute = compute
+        self.__doc__ = compute.__doc__
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    @overload
+    def __get__(self, thing: None, owner: type | None = None) -> Once[Made]: ...
+    @overload
+    def __get__(self, thing: object, owner: type | None = None) -> Made: ...
+    def __get__(self, thing: object | None, owner: type | None = None) -> Made | Once[Made]:
+        if thing is None:
+            return self
+        made = thing.__dict__[self.name] = self.compute(thing)
+        return made
 
 
 def same(a: Any, b: Any) -> bool:
@@ -78,8 +114,7 @@ class Immutable:
     """Base of the frozen dataclasses: equality of arrays, and pickles that stay read-only."""
 
     def _set(self, **values: Any) -> None:
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
+        self.__dict__.update(values)
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):

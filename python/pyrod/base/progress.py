@@ -13,7 +13,7 @@ Progress = Callable[[int, int], Any]
 
 
 @contextmanager
-def shown(
+def progress_shown(
     progress: bool | Progress, total: int, unit: str, done: int = 0
 ) -> Iterator[Callable[..., Any] | None]:
     """A function of the numbers that are done, and that failed, of a total; None: nobody looks.
@@ -38,11 +38,8 @@ def shown(
 
 
 @contextmanager
-def iterations(progress: bool) -> Iterator[Watch | None]:
+def iterations() -> Iterator[Watch]:
     """What is told of each iteration of a solve; seen if it takes half a second."""
-    if not progress:
-        yield None
-        return
     from tqdm import tqdm
 
     with tqdm(unit=" iterations", delay=0.5, leave=False, file=sys.stderr) as bar:

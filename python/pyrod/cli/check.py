@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pyrod
 from pyrod import reference
-from pyrod.base.progress import shown
+from pyrod.base.progress import progress_shown
 from pyrod.cli.output import Output
 from pyrod.reference import Case
 from pyrod.reference import _notes as notes
@@ -63,7 +63,9 @@ class Row:
 
 def run(args: argparse.Namespace, output: Output) -> int:
     """Prints the table as it grows; 1 if a case failed."""
-    cases = [c for c in reference.load(args.folder or reference.folder()) if _wanted(c, args.cases)]
+    cases = [
+        c for c in reference.load(args.folder or reference.folder()) if _is_asked(c, args.cases)
+    ]
     if not cases:
         raise ValueError(f"cases: none is named {' or '.join(args.cases)}; see pyrod check --list")
     if args.list:
@@ -97,23 +99,23 @@ def run(args: argparse.Namespace, output: Output) -> int:
     return int(bool(failed))
 
 
-def _wanted(case: Case, patterns: list[str]) -> bool:
+def _is_asked(case: Case, patterns: list[str]) -> bool:
     return any(fnmatch(str(case), pattern) for pattern in patterns)
 
 
 def _rows(todo: list[tuple[Case, Space]], tol: float, output: Output) -> Iterator[Row]:
     """On a terminal the table itself shows how far it is."""
     looks = not output.json and not sys.stdout.isatty()
-    with shown(looks, len(todo), "cases") as show:
+    with progress_shown(looks, len(todo), "cases") as show:
         for done, (case, space) in enumerate(todo, 1):
-            row = solved(case, space, tol)
+            row = _row(case, space, tol)
             output.text(row.text)
             if show is not None:
                 show(done)
             yield row
 
 
-def solved(case: Case, space: Space, tol: float) -> Row:
+def _row(case: Case, space: Space, tol: float) -> Row:
     """One line of the table."""
     edges = case.first_edges
     start = None if case.found_alone or edges is None else case.start(edges)

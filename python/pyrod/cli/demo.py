@@ -1,4 +1,4 @@
-"""Compute four rods, compare them with exact solutions, time them and draw them.
+"""Compute four rods, compare them with exact solutions, time them and draw_panels them.
 
 Prints a table of errors and times, and writes a picture.
 """
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 NAME = "demo"
-HELP = "compute, check and draw four rods"
+HELP = "compute, check and draw_panels four rods"
 EDGES = (32, 64, 128, 256, 512, 1024)
 DRAWN = 64  # edges of the rods in the pictures
 SCENES = {
@@ -56,7 +56,7 @@ def run(args: argparse.Namespace, output: Output) -> int:
     check_place(args.picture)
     rows: list[dict[str, Any]] = []
     curves = table(output, rows)
-    draw(curves, args.picture)
+    draw_panels(curves, args.picture)
     output.text(f"\nrods drawn with n = {DRAWN}: {args.picture.resolve()}")
     output.result({"rows": rows, "picture": str(args.picture.resolve())})
     return 0
@@ -150,7 +150,7 @@ def draw_errors(ax: Axes, curves: Points) -> None:
     ax.legend(fontsize=8)
 
 
-def draw(curves: Points, picture: Path) -> None:
+def draw_panels(curves: Points, picture: Path) -> None:
     """Four panels."""
     from matplotlib import pyplot as plt
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pyrod
 import pyrod._core as _core
 from pyrod.cli.output import Output
-from pyrod.cli.summary import lines, summary
+from pyrod.cli.summary import in_numbers, lines
 
 NAME = "info"
 HELP = "versions and paths, or what a file holds"
@@ -57,7 +57,7 @@ def _describe(file: Path, output: Output) -> int:
     if isinstance(held, pyrod.Equilibrium):
         for line in lines(held):
             output.text(line)
-        output.result({"kind": "equilibrium", **summary(held)})
+        output.result({"kind": "equilibrium", **in_numbers(held)})
         return 0
     output.text(repr(held))
     for i, rod in enumerate(held.rods):

@@ -32,7 +32,7 @@ class Output:
         """The object for programs; numbers that are not finite become null."""
         if self.json:
             warned = {"warnings": self.warnings} if self.warnings else {}
-            print(json.dumps(_plain({**values, **warned}), allow_nan=False), flush=True)
+            print(json.dumps(_for_json({**values, **warned}), allow_nan=False), flush=True)
 
     def error(self, kind: str, message: str) -> None:
         """Why the command ends without its result."""
@@ -55,14 +55,14 @@ class Output:
             print(f"pyrod: warning: {message}", file=sys.stderr)
 
 
-def _plain(value: Any) -> Any:
+def _for_json(value: Any) -> Any:
     """Numbers, strings, lists and dicts that JSON knows."""
     if isinstance(value, dict):
-        return {str(key): _plain(one) for key, one in value.items()}
+        return {str(key): _for_json(one) for key, one in value.items()}
     if isinstance(value, np.ndarray):
-        return _plain(value.tolist())
+        return _for_json(value.tolist())
     if isinstance(value, (list, tuple)):
-        return [_plain(one) for one in value]
+        return [_for_json(one) for one in value]
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, float) and not math.isfinite(value):

@@ -8,7 +8,7 @@ from typing import Any
 
 import pyrod
 from pyrod.cli.output import Output
-from pyrod.cli.summary import lines, summary
+from pyrod.cli.summary import in_numbers, lines
 from pyrod.document import load_file
 from pyrod.files import check_target
 from pyrod.result.equilibrium import Equilibrium
@@ -62,7 +62,9 @@ def run(args: argparse.Namespace, output: Output) -> int:
             output.text(line)
         for path in targets:
             output.text(f"wrote {path}")
-    output.result({"scene": str(args.scene), **summary(result), "files": list(map(str, targets))})
+    output.result(
+        {"scene": str(args.scene), **in_numbers(result), "files": list(map(str, targets))}
+    )
     return 0
 
 

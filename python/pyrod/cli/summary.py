@@ -9,7 +9,7 @@ from pyrod.base.immutable import Array
 from pyrod.result.equilibrium import Equilibrium
 
 
-def summary(result: Equilibrium) -> dict[str, Any]:
+def in_numbers(result: Equilibrium) -> dict[str, Any]:
     """What programs read: numbers in SI units."""
     return {
         "status": result.status,
@@ -39,7 +39,7 @@ def summary(result: Equilibrium) -> dict[str, Any]:
 
 def lines(result: Equilibrium) -> Iterator[str]:
     """What people read."""
-    told = summary(result)
+    told = in_numbers(result)
     stable = {None: "unknown, the loads have no potential", True: "yes"}.get(
         result.stable, f"no: the energy falls in {result.index} directions"
     )

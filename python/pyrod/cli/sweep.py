@@ -56,10 +56,10 @@ def _entry(text: str) -> tuple[str, list[Any]]:
     path, equals, values = text.partition("=")
     if not (path and equals and values):
         raise argparse.ArgumentTypeError(f"expected ENTRY=VALUES, got {text!r}")
-    return path, _values(values)
+    return path, _read_values(values)
 
 
-def _values(text: str) -> list[Any]:
+def _read_values(text: str) -> list[Any]:
     """Numbers where they are numbers; else text, such as "2 mm"."""
     if ":" not in text:
         return [_number(one) for one in text.split(",")]

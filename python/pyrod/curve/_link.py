@@ -23,4 +23,4 @@ def linking_number(
     a, b = as_polyline(a, "a", closed=True), as_polyline(b, "b", closed=True)
     require_closed(a, "linking_number")
     require_closed(b, "linking_number")
-    return nearest_whole(a._arc.gauss_integral(b._arc, whole(threads, "threads")))
+    return nearest_whole(a._compiled.gauss_integral(b._compiled, whole(threads, "threads")))

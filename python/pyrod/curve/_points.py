@@ -42,7 +42,7 @@ def straight_angles(arc: Arc) -> Array:
     """Most turn [rad] at each vertex that counts as none, `Polyline.straight` at the least."""
     near = _inverse_lengths(arc)
     size = np.abs(arc.positions).max(axis=1)
-    angles = np.maximum(arc.straight, 8 * arc._precision * (1 + size * near))
+    angles = np.maximum(arc.straight, 8 * arc.precision * (1 + size * near))
     if arc.resolution is not None:
         angles = np.maximum(angles, 2 * arc.resolution * near)
     return angles

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import array, number, precision, whole, yes_or_no
+from pyrod.base.arrays import array, number, precision_of, whole, yes_or_no
 from pyrod.base.borrowed import borrowed
-from pyrod.base.immutable import Array, Immutable, frozen, sealed
+from pyrod.base.immutable import Array, Immutable, Once, frozen, sealed
 from pyrod.curve._arc import require_closed
 from pyrod.curve._ends import Ends, is_torsion, with_ends
 from pyrod.curve._knots import Approach, nearest_whole
@@ -67,9 +67,8 @@ class Polyline(Immutable):
     end_tangent: Array | None
     straight: float
     resolution: float | None
-    _precision: float = field(compare=False)
+    precision: float = field(compare=False)
     """Relative rounding of the positions as they came."""
-    _arc: _core.curve.Arc = field(init=False, compare=False)
 
     def __init__(
         self,
@@ -95,19 +94,16 @@ class Polyline(Immutable):
             end_tangent=direction(end_tangent, "end_tangent", flat),
             straight=straight,
             resolution=resolution,
-            _precision=precision(positions),
+            precision=precision_of(positions),
         )
-        self._set(_arc=self._compiled())
-        if resolution is not None or self._precision > np.finfo(np.float64).eps:
+        _ = self._compiled  # refuses what is no arc
+        if resolution is not None or self.precision > np.finfo(np.float64).eps:
             refuse_folds(self)
         warn_of_near_repeats(self)
 
+    @Once
     def _compiled(self) -> _core.curve.Arc:
         return _core.curve.Arc(self.positions, self.closed, self.start_tangent, self.end_tangent)
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        super().__setstate__(state)
-        self._set(_arc=self._compiled())
 
     def __repr__(self) -> str:
         kind = "closed" if self.closed else "open"
@@ -123,7 +119,7 @@ class Polyline(Immutable):
     @property
     def length(self) -> float:
         """Sum of the edge lengths [m]."""
-        return float(self._arc.arc_lengths[-1])
+        return float(self._compiled.arc_lengths[-1])
 
     @property
     def edge_vectors(self) -> Array:
@@ -134,17 +130,17 @@ class Polyline(Immutable):
     @cached_property
     def edge_lengths(self) -> Array:
         """(n,) lengths of the edges, the grid of discrete arc length."""
-        return sealed(self._arc.edge_lengths)
+        return sealed(self._compiled.edge_lengths)
 
     @cached_property
     def cell_lengths(self) -> Array:
         """Lengths of the cells around the vertices: half of the edges before and behind."""
-        return sealed(self._arc.cell_lengths)
+        return sealed(self._compiled.cell_lengths)
 
     @cached_property
     def arc_lengths(self) -> Array:
         """Arc length at the vertices. Second order in that of a smooth curve through them."""
-        return sealed(self._arc.arc_lengths[: len(self.positions)])
+        return sealed(self._compiled.arc_lengths[: len(self.positions)])
 
     @property
     def centre_arc_lengths(self) -> Array:
@@ -159,7 +155,7 @@ class Polyline(Immutable):
     @cached_property
     def tangents(self) -> Array:
         """(n, 3) unit tangents of the edges."""
-        return sealed(self._arc.tangents())
+        return sealed(self._compiled.tangents())
 
     def derivative(self, parameter: ArrayLike) -> Array:
         """(n, 3) derivative by a parameter, l/h: second order at the centres of the intervals.
@@ -187,7 +183,7 @@ class Polyline(Immutable):
     @cached_property
     def turning_angles(self) -> Array:
         """Angles theta [rad] between the directions before and behind each vertex, from 0 to pi."""
-        return sealed(self._arc.turning_angles())
+        return sealed(self._compiled.turning_angles())
 
     def curvature(self, measure: Measure = "log", *, ends: Ends = "free") -> Array:
         """Frenet curvature kappa = theta/cell length at the vertices, Linn (3).
@@ -206,7 +202,7 @@ class Polyline(Immutable):
         of the first bent one); a straight arc gets one of its normals. At an inflection in a plane
         the axis turns by pi from one vertex to the next.
         """
-        return sealed(self._arc.binormals(straight_angles(self)))
+        return sealed(self._compiled.binormals(straight_angles(self)))
 
     def curvature_binormals(self, measure: Measure = "log") -> Array:
         """kappa b at the vertices: continuous through inflections. In a plane, signed curvature."""
@@ -215,7 +211,7 @@ class Polyline(Immutable):
     @cached_property
     def dihedral_angles(self) -> Array:
         """(n,) angles alpha [rad] about each edge from one binormal to the next, in (-pi, pi]."""
-        return sealed(self._arc.dihedral_angles(self.binormals))
+        return sealed(self._compiled.dihedral_angles(self.binormals))
 
     def torsion(self, measure: Measure | Literal["sauer"] = "log", *, ends: Ends = "free") -> Array:
         """(n,) torsion tau = alpha/edge length, Linn (4).
@@ -240,7 +236,7 @@ class Polyline(Immutable):
 
     def vertex_frenet_frames(self) -> Array:
         """Frenet frames (n, b, t) at the vertices, quaternions; t halves the turn."""
-        return self._arc.vertex_frenet_frames(self.binormals)
+        return self._compiled.vertex_frenet_frames(self.binormals)
 
     # Parallel transport ---------------------------------------------------------------------------
 
@@ -259,7 +255,7 @@ class Polyline(Immutable):
         Equal to 2 pi times the writhe, up to whole turns.
         """
         require_closed(self, "holonomy")
-        return self._arc.holonomy()
+        return self._compiled.holonomy()
 
     @borrowed("pyrod.curve._transport:closed_ribbon")
     def closed_ribbon(self, link: int, normal: ArrayLike | None = None) -> Any:
@@ -316,7 +312,7 @@ class Polyline(Immutable):
                 "positions: the last point is the first again; leave it out and make the polyline "
                 "with closed=True"
             )
-        return self._arc.writhe(whole(threads, "threads"))
+        return self._compiled.writhe(whole(threads, "threads"))
 
     def frenet_link(self, threads: int = 0) -> int:
         """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi.
@@ -340,15 +336,15 @@ class Polyline(Immutable):
         Two edges count if the way between their centres is more than one and a half times as long
         along the arc as it is straight: on a circle, if they are nearly opposite.
         """
-        return Approach(*self._arc.self_approach(whole(threads, "threads")))
+        return Approach(*self._compiled.self_approach(whole(threads, "threads")))
 
     def approach(self, other: Union[Polyline, ArrayLike], threads: int = 0) -> Approach:
         """Smallest distance between an edge of this and an edge of another. O(n m).
 
         Positions are taken for those of an open one.
         """
-        arc = as_polyline(other, "other", closed=False)._arc
-        return Approach(*self._arc.approach(arc, whole(threads, "threads")))
+        arc = as_polyline(other, "other", closed=False)._compiled
+        return Approach(*self._compiled.approach(arc, whole(threads, "threads")))
 
 
 def as_polyline(given: Union[Polyline, ArrayLike], name: str, closed: bool) -> Polyline:

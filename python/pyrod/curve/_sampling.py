@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -9,25 +10,28 @@ from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod.base.arrays import Array, array, number, transposed
+from pyrod.base.immutable import frozen
 
 MOST_EDGES = 10**8  # their unknowns are counted in 32 bits
 
 
 def edge_lengths(length: float | ArrayLike, edges: float | None) -> Array:
-    lengths = array(length, "length")
+    """Lengths of so many equal edges, or as given; read-only."""
     if edges is None:
-        return np.atleast_1d(lengths)
+        return frozen(np.atleast_1d(array(length, "length")))
     n = number(edges, "edges")
-    if not (np.isfinite(n) and n == int(n) and 1 <= n <= MOST_EDGES):
+    if not (isfinite(n) and n == int(n) and 1 <= n <= MOST_EDGES):
         raise ValueError(
             f"edges: must be a whole number, at least 1 and at most {MOST_EDGES:g}, got {edges}"
         )
-    if lengths.size != 1:
+    if type(length) is not float and array(length, "length").size != 1:
         raise ValueError("edges: give None together with the lengths of the edges")
-    whole = lengths.item()
-    if not (np.isfinite(whole) and whole > 0):
-        raise ValueError(f"length: must be positive, got {whole!r}")
-    return np.full(int(n), whole / int(n))
+    total = length if type(length) is float else array(length, "length").item()
+    if not (isfinite(total) and total > 0):
+        raise ValueError(f"length: must be positive, got {total!r}")
+    out = np.full(int(n), total / int(n))
+    out.setflags(write=False)
+    return out
 
 
 def natural_edges(length: Any, curvature: Any) -> float:

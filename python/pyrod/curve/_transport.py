@@ -14,7 +14,7 @@ from pyrod.rotation import frame_along, unit_frame
 
 def frenet(arc: Polyline) -> FramedCurve:
     """The arc with Frenet frames (n, b, t) on its edges, b half-way between the vertices'."""
-    return _framed(arc, arc._arc.edge_frenet_frames(arc.binormals, arc.dihedral_angles))
+    return _framed(arc, arc._compiled.edge_frenet_frames(arc.binormals, arc.dihedral_angles))
 
 
 def bishop(
@@ -44,7 +44,7 @@ def bishop(
         raise ValueError("normal: give either it or frame")
     else:
         q = unit_frame(frame, "frame at the start")
-    first, frames = arc._arc.bishop_frames(q)
+    first, frames = arc._compiled.bishop_frames(q)
     framed = _framed(arc, frames, first if arc.start_tangent is not None else None)
     return framed if angles is NO_ANGLE else framed.turned(angles)
 

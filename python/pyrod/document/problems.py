@@ -44,7 +44,7 @@ class Found:
 
     def __init__(self, document: dict[str, Any]) -> None:
         self.problems: list[Problem] = []
-        self.names = {kind: _names(document, kind) for kind in ("materials", "sections")}
+        self.names = {kind: _names_in(document, kind) for kind in ("materials", "sections")}
         rods = document.get("rods")
         self.rods = [
             rod.get("name") if isinstance(rod, dict) else None
@@ -68,7 +68,7 @@ class Found:
             self.problems.append(Problem((*path, name) if name else path, what))
 
 
-def _names(document: dict[str, Any], kind: str) -> list[str]:
+def _names_in(document: dict[str, Any], kind: str) -> list[str]:
     tables = document.get(kind)
     return list(tables) if isinstance(tables, dict) else []
 

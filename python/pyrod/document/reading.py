@@ -55,10 +55,10 @@ def content(document: Values) -> Content:
 
 def _check_together(document: Values, here: Here) -> None:
     """Rules for several keys of a table."""
-    for path, section in _tables(document, "sections"):
+    for path, section in _tables_of(document, "sections"):
         _check_section(section, Here(path, here.found))
     names: set[str] = set()
-    for path, rod in _tables(document, "rods"):
+    for path, rod in _tables_of(document, "rods"):
         check_form(rod, Here(path, here.found))
         name = rod.get("name")
         if isinstance(name, str) and name in names:
@@ -66,7 +66,7 @@ def _check_together(document: Values, here: Here) -> None:
         names |= {name} if isinstance(name, str) else set()
 
 
-def _tables(document: Values, key: str) -> list[tuple[KeyPath, Values]]:
+def _tables_of(document: Values, key: str) -> list[tuple[KeyPath, Values]]:
     many = document.get(key)
     items: Any = many.items() if isinstance(many, dict) else ()
     if isinstance(many, list):

@@ -13,9 +13,9 @@ from pyrod.curve._sampling import natural_edges
 from pyrod.document.problems import Here
 from pyrod.document.schema import MOST_EDGES, ROD, Jump
 from pyrod.rod.along import EndOutlines, Sections
-from pyrod.rod.law import NO_JUMPS, Jumps, Made, Points, Table
+from pyrod.rod.law import NO_JUMPS, Jumps, Made, Table
 from pyrod.rod.outline import Outline
-from pyrod.rod.rod import Rod
+from pyrod.rod.rod import Rod, on_other_edges, rod_of
 from pyrod.rod.section import Section
 from pyrod.scene.supports import placed_frame
 
@@ -56,18 +56,18 @@ def made(values: dict[str, Any], sections: dict[str, Section]) -> Rod:
     if "positions" in values:
         rod = _curve(values, section)
     elif "bending" in values:
-        rod = _table(values)
+        rod = _of_arrays(values)
     else:
         rod = _natural(values, section)
     if "positions" not in values:
-        rod = _placed(rod, values)
+        rod = _placed_as_told(rod, values)
     if "grid" in values:
-        breaks = None if rod._breaks is None else tuple(values.get("vertices", ()))
-        return _on_grid(rod, values["grid"], breaks)
+        kept = None if rod._compiled.kept is None else list(values.get("vertices", ()))
+        return _graded(rod, values["grid"], kept)
     return rod.with_vertices(_on(rod, values["vertices"])) if "vertices" in values else rod
 
 
-def _placed(rod: Rod, values: dict[str, Any]) -> Rod:
+def _placed_as_told(rod: Rod, values: dict[str, Any]) -> Rod:
     frame = placed_frame(values.get("frame"), values.get("tangent"), values.get("normal"))
     return rod.placed(values.get("position"), frame)
 
@@ -85,15 +85,15 @@ def _curve(values: dict[str, Any], section: Sections) -> Rod:
     return Rod.from_curve(positions, frames, section, values.get("model"))
 
 
-def _table(values: dict[str, Any]) -> Rod:
+def _of_arrays(values: dict[str, Any]) -> Rod:
     rod = Rod(**{name: values[name] for name in _GIVEN if name in values})
     law = replace(
-        rod._table(),
+        rod.table(),
         shapes=_shapes(values.get("outlines", {}), rod.edges),
         corners=values.get("corners", False),
         jumps=_jumps(values["jumps"], rod) if "jumps" in values else NO_JUMPS,
     )
-    return Rod._of(law.compiled(rod.model, rod.placement, False), law, rod.placement)
+    return rod_of(law.compiled(rod.model, rod.placement, False), law, rod.placement)
 
 
 def outline_of(shape: dict[str, Any]) -> Outline | None:
@@ -134,10 +134,10 @@ def _on(rod: Rod, places: Array) -> Array:
     return places
 
 
-def _on_grid(rod: Rod, grid: Array, breaks: tuple[float, ...] | None) -> Rod:
+def _graded(rod: Rod, grid: Array, kept: list[float] | None) -> Rod:
     if not ((grid > 0).all() and abs(grid.sum() - rod.length) <= 1e-6 * rod.length):
         raise ValueError(f"grid: expected positive lengths of edges, {rod.length:g} together")
-    return rod._on(grid, breaks)
+    return on_other_edges(rod, grid, kept)
 
 
 # Writing ------------------------------------------------------------------------------------------
@@ -146,17 +146,11 @@ def _on_grid(rod: Rod, grid: Array, breaks: tuple[float, ...] | None) -> Rod:
 def written(rod: Rod, name_of: Any) -> dict[str, Any]:
     """The table of a rod; ``name_of`` names a section."""
     law = rod._law
-    named = isinstance(law, Made) and not isinstance(law, Points)
-    if (
-        isinstance(law, Made)
-        and named
-        and not callable(law.section)
-        and not callable(law.curvature)
-    ):
+    if type(law) is Made and not callable(law.section) and not callable(law.curvature):
         values, base = _by_law(rod, law, name_of), law.base
     else:
-        table = law if isinstance(law, Table) else rod._table()
-        jumps = table.jumps if table is law else rod._rod.jumps
+        table = law if isinstance(law, Table) else rod.table()
+        jumps = table.jumps if table is law else rod._compiled.jumps
         values, base = _by_arrays(table, rod.model, jumps), table.base
     if not np.array_equal(base, rod.edge_lengths) and not _regraded(rod, law):
         values["grid"] = rod.edge_lengths
@@ -177,10 +171,11 @@ def _by_law(rod: Rod, law: Made, name_of: Any) -> dict[str, Any]:
         values["edge_lengths"] = law.base
     else:
         values["length"] = length
-        if rod._breaks is None:
+        kept = rod._compiled.kept
+        if kept is None:
             values["edges"] = len(law.base)
-        elif rod._breaks:
-            values["vertices"] = np.array(rod._breaks)
+        elif kept:
+            values["vertices"] = np.array(kept)
     if np.any(law.curvature):  # type: ignore[arg-type]
         values["curvature"] = frozen(law.curvature)  # type: ignore[arg-type]
     return values
@@ -188,10 +183,11 @@ def _by_law(rod: Rod, law: Made, name_of: Any) -> dict[str, Any]:
 
 def _regraded(rod: Rod, law: Any) -> bool:
     """Whether the vertices that are kept lead to the same edges when the scene is read."""
-    if rod._breaks is None:
+    kept = rod._compiled.kept
+    if kept is None:
         return False
     fresh = Rod.precurved(law.base.sum(), None, law.section, law.curvature, rod.model)
-    return np.array_equal(fresh.with_vertices(rod._breaks).edge_lengths, rod.edge_lengths)
+    return np.array_equal(fresh.with_vertices(kept).edge_lengths, rod.edge_lengths)
 
 
 def _whole_length(h: Array) -> float | None:

@@ -18,8 +18,8 @@ from pyrod.document.types import (
     RodNumber,
     Type,
     Words,
-    vector,
-    whole,
+    vector_in,
+    whole_number,
 )
 from pyrod.rod.outline import Outline
 from pyrod.rod.section import Material, Model, Section
@@ -32,8 +32,8 @@ MOST_EDGES = 10**6
 """Of one rod in a document: a slip of the hand must not fill the memory."""
 
 _AT = PlaceOnRod()
-_POINT = vector(u.LENGTH)
-_DIRECTION = vector(u.NONE)
+_POINT = vector_in(u.LENGTH)
+_DIRECTION = vector_in(u.NONE)
 _FRAME = Numbers(u.NONE, ((4,), (3, 3)))
 _PLACED = {"position": _POINT, "frame": _FRAME}
 _TURNED = {**_PLACED, "tangent": _DIRECTION, "normal": _DIRECTION}
@@ -86,7 +86,7 @@ class Jump(NamedTuple):
 JUMP = Form.of(
     "jump",
     Jump,
-    vertex=whole(1),
+    vertex=whole_number(1),
     bending=Numbers(u.BENDING_STIFFNESS, ((2, 3),)),
     K0=Numbers(u.CURVATURE, ((2, 3),)),
 )
@@ -97,7 +97,7 @@ ROD = Form(
         "name": Key(TEXT),
         "section": Key(Name("sections", many=True)),
         "length": Key(Number(u.LENGTH)),
-        "edges": Key(whole(1, MOST_EDGES)),
+        "edges": Key(whole_number(1, MOST_EDGES)),
         "edge_lengths": Key(_LENGTHS),
         "curvature": Key(Numbers(u.CURVATURE, _ALONG)),
         "model": Key(Words(get_args(Model))),
@@ -122,7 +122,7 @@ ROD = Form(
 SUPPORTS = OneOf(
     "support",
     {
-        "clamp": Form.of("clamp", Clamp, at=_AT, **_TURNED, turns=whole()),
+        "clamp": Form.of("clamp", Clamp, at=_AT, **_TURNED, turns=whole_number()),
         "hinge": Form.of("hinge", Hinge, at=_AT, position=_POINT),
         "slider": Form.of(
             "slider",
@@ -150,8 +150,8 @@ _along: dict[str, Type] = {"rod": RodNumber(), "follower": FLAG}
 LOADS = OneOf(
     "load",
     {
-        "force": Form.of("force", Force, force=vector(u.FORCE), at=_AT, follower=FLAG),
-        "moment": Form.of("moment", Moment, moment=vector(u.MOMENT), at=_AT, follower=FLAG),
+        "force": Form.of("force", Force, force=vector_in(u.FORCE), at=_AT, follower=FLAG),
+        "moment": Form.of("moment", Moment, moment=vector_in(u.MOMENT), at=_AT, follower=FLAG),
         "distributed_force": Form.of(
             "distributed force",
             DistributedForce,
@@ -164,7 +164,7 @@ LOADS = OneOf(
             moment_per_length=Numbers(u.FORCE, _ALONG),
             **_along,
         ),
-        "gravity": Form.of("gravity", Gravity, acceleration=vector(u.ACCELERATION)),
+        "gravity": Form.of("gravity", Gravity, acceleration=vector_in(u.ACCELERATION)),
     },
 )
 
@@ -173,13 +173,13 @@ JOINT = Form.of(
     Joint,
     points=Listed(_AT, 2),
     kind=Words(("rigid", "hinge", "ball")),
-    turns=whole(),
+    turns=whole_number(),
     aligned=FLAG,
     axis=_DIRECTION,
 )
 
 OPTIONS = {
-    name: whole() if isinstance(value, int) else Number(u.NONE)
+    name: whole_number() if isinstance(value, int) else Number(u.NONE)
     for name, value in Options().__getstate__().items()
 }
 SOLVE = Form(

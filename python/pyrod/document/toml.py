@@ -10,14 +10,14 @@ from typing import Any
 
 def dumps(document: dict[str, Any]) -> str:
     """The text of a document: tables and lists of tables on top have headers, others are inline."""
-    tables = {key: list(_tables(_key(key), value)) for key, value in document.items()}
-    lines = _values({key: value for key, value in document.items() if not tables[key]})
+    tables = {key: list(_headed_tables(_key(key), value)) for key, value in document.items()}
+    lines = _assignments({key: value for key, value in document.items() if not tables[key]})
     for header, table in (one for many in tables.values() for one in many):
-        lines += ["", header, *_values(table)]
+        lines += ["", header, *_assignments(table)]
     return "\n".join(lines).lstrip("\n") + "\n"
 
 
-def _tables(name: str, value: Any) -> Iterator[tuple[str, dict[str, Any]]]:
+def _headed_tables(name: str, value: Any) -> Iterator[tuple[str, dict[str, Any]]]:
     """Headers and their tables; nothing for a value that needs none."""
     if isinstance(value, list) and all(isinstance(one, dict) for one in value):
         yield from ((f"[[{name}]]", one) for one in value)
@@ -27,7 +27,7 @@ def _tables(name: str, value: Any) -> Iterator[tuple[str, dict[str, Any]]]:
         yield f"[{name}]", value
 
 
-def _values(table: dict[str, Any]) -> list[str]:
+def _assignments(table: dict[str, Any]) -> list[str]:
     return [f"{_key(key)} = {_value(value)}" for key, value in table.items()]
 
 
@@ -41,7 +41,7 @@ def _text(text: str) -> str:
 
 def _value(value: Any) -> str:
     if isinstance(value, dict):
-        return f"{{ {', '.join(_values(value))} }}" if value else "{}"
+        return f"{{ {', '.join(_assignments(value))} }}" if value else "{}"
     if isinstance(value, list) and value and isinstance(value[0], list):
         return "[\n" + "".join(f"  {_value(row)},\n" for row in value) + "]"
     if isinstance(value, list):

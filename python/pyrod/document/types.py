@@ -99,7 +99,7 @@ class Numbers:
         return np.asarray(value, dtype=np.float64).tolist()
 
 
-def vector(dimension: Dimension) -> Numbers:
+def vector_in(dimension: Dimension) -> Numbers:
     """Three numbers."""
     return Numbers(dimension, ((3,),))
 
@@ -136,7 +136,7 @@ TEXT = Plain(str, "text")
 FLAG = Plain(bool, "true or false")
 
 
-def whole(least: int | None = None, most: int | None = None) -> Plain:
+def whole_number(least: int | None = None, most: int | None = None) -> Plain:
     """A whole number between two."""
     return Plain(int, "whole number", least, most)
 

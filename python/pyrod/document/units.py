@@ -68,7 +68,7 @@ def quantity(text: str, dimension: Dimension) -> float:
         return float(text)
     match = _QUANTITY.fullmatch(text.strip()) if len(text) <= LONGEST else None
     if match is None or dimension is NONE:
-        raise Misread(f"expected {_wanted(dimension)}")
+        raise Misread(f"expected {_expected(dimension)}")
     unit = match["unit"]
     value = _in_si(Decimal(match["number"]), f"1{unit}" if unit[0] == "/" else unit, dimension)
     if not isfinite(value):
@@ -76,7 +76,7 @@ def quantity(text: str, dimension: Dimension) -> float:
     return value
 
 
-def _wanted(dimension: Dimension) -> str:
+def _expected(dimension: Dimension) -> str:
     if dimension is NONE:
         return "not a string: write the number without quotes and unit, such as 0.3"
     return f'{a(dimension.name)} such as "{dimension.example}" or a number in {dimension.unit}'
@@ -89,13 +89,13 @@ def _in_si(number: Decimal, unit: str, dimension: Dimension) -> float:
         units = registry.parse_units(unit.replace("·", "*"))
         kind = units.dimensionality
     except (AttributeError, ValueError, TypeError, KeyError) as error:
-        raise Misread(f'unknown unit "{unit}", expected {_wanted(dimension)}') from error
+        raise Misread(f'unknown unit "{unit}", expected {_expected(dimension)}') from error
     if kind != registry.parse_units(dimension.unit).dimensionality:
-        raise Misread(f'expected {_wanted(dimension)}; "{unit}" is {_kind(registry, kind)}')
+        raise Misread(f'expected {_expected(dimension)}; "{unit}" is {_kind(registry, kind)}')
     try:
         return float(registry.Quantity(number, units).to(dimension.unit).magnitude)
     except (ValueError, TypeError) as error:  # decibels and their like
-        raise Misread(f'expected {_wanted(dimension)}; "{unit}" is on another scale') from error
+        raise Misread(f'expected {_expected(dimension)}; "{unit}" is on another scale') from error
 
 
 def _kind(registry: Any, kind: Any) -> str:

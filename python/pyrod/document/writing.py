@@ -7,7 +7,7 @@ from typing import Any
 from pyrod.document.rods import written
 from pyrod.document.schema import SCENE, SHAPES, STIFFNESSES
 from pyrod.rod.section import Section
-from pyrod.scene.loads import any_function, sampled_load
+from pyrod.scene.loads import sampled_load
 from pyrod.scene.scene import Scene
 
 
@@ -25,7 +25,7 @@ def write(scene: Scene) -> dict[str, Any]:
     if scene.space != keys["space"].default:
         out["space"] = scene.space
     loads = [
-        sampled_load(load, scene.rods) if any_function((load,)) else load for load in scene.loads
+        sampled_load(load, scene.rods) if callable(load.acting) else load for load in scene.loads
     ]
     for name, parts in (("supports", scene.supports), ("loads", loads), ("joints", scene.joints)):
         if parts:
@@ -43,11 +43,11 @@ class _Sections:
     def __call__(self, section: Section) -> str:
         if section not in self._names:
             name = self._names[section] = f"section{len(self._names) + 1}"
-            self.tables[name] = _table(section)
+            self.tables[name] = _section_table(section)
         return self._names[section]
 
 
-def _table(section: Section) -> dict[str, Any]:
+def _section_table(section: Section) -> dict[str, Any]:
     out = STIFFNESSES.write(section)
     if section.outline is not None:
         for shape, numbers in section.outline.to_dict().items():

@@ -31,9 +31,9 @@ def save_csv(result: Equilibrium, path: Path) -> None:
         rows.writerow(["rod", *(header for name in names for header in columns(name))])
         for number, rod in enumerate(result.rods):
             known = fields(rod)
-            table = np.column_stack([_values(known[name]) for name in names])
+            table = np.column_stack([_columns(known[name]) for name in names])
             rows.writerows([number, *row] for row in table.tolist())
 
 
-def _values(field: Field) -> np.ndarray:
+def _columns(field: Field) -> np.ndarray:
     return field.at_vertices.reshape(len(field.at_vertices), -1)

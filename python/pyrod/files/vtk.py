@@ -32,7 +32,7 @@ def save_vtp(
     result: Equilibrium, path: Path, *, solid: bool = False, sides: int = 24, title: str = ""
 ) -> None:
     """As poly data."""
-    mesh = _solid(result, sides) if solid else _lines(result)
+    mesh = _solid(result, sides) if solid else _line_mesh(result)
     count = str(sum(map(len, mesh.cells)))
     empty = dict.fromkeys(
         ("NumberOfVerts", "NumberOfStrips", "NumberOfLines", "NumberOfPolys"), "0"
@@ -47,7 +47,7 @@ def save_vtu(
     result: Equilibrium, path: Path, *, solid: bool = False, sides: int = 24, title: str = ""
 ) -> None:
     """As an unstructured grid."""
-    mesh = _solid(result, sides) if solid else _lines(result)
+    mesh = _solid(result, sides) if solid else _line_mesh(result)
     piece = xml.Element("Piece", {"NumberOfCells": str(sum(map(len, mesh.cells)))})
     cells = xml.SubElement(piece, "Cells")
     _add_cells(cells, mesh)
@@ -56,7 +56,7 @@ def save_vtu(
     _write("UnstructuredGrid", piece, mesh, _about(result, title), path)
 
 
-def _lines(result: Equilibrium) -> Mesh:
+def _line_mesh(result: Equilibrium) -> Mesh:
     """Centrelines: a line for each edge."""
     counts = [len(rod.positions) for rod in result.rods]
     first = np.cumsum([0, *counts])

@@ -15,7 +15,7 @@ from pyrod.result.errors import NotConverged
 from pyrod.rod.models import MODELS
 from pyrod.rod.section import Model
 from pyrod.scene.planarity import is_planar
-from pyrod.scene.scene import Scene, Space, checked_scene, on_its_grid, rebuilt
+from pyrod.scene.scene import Scene, Space, checked_scene
 from pyrod.solving.run import solved
 
 
@@ -67,7 +67,7 @@ def smallest_model(scene: Scene, tol: float, quantity: Quantity | None = None) -
     told = f"; out of the plane it is {'unstable' if index else 'stable'}"
     if index is None:
         told = f"; in space {plane.why or 'the loads have no potential'}"
-    sizes = {**planar.sizes, "space": _size(planar.result, "space", quantity)}
+    sizes = {**planar.sizes, "space": _size_of_effect(planar.result, "space", quantity)}
     return replace(planar, sizes=sizes, text=planar.text + told)
 
 
@@ -77,30 +77,32 @@ def _climb(
     """From the poorest model up, until what is left out is below the tolerance."""
     sizes: dict[str, float] = {}
     for model in MODELS[:-1]:
-        modelled = _modelled(scene, space, model)
+        modelled = in_model(scene, model, space)
         try:
-            result = solved(on_its_grid(modelled))
+            result = solved(modelled.refined(0))
         except (NotConverged, ValueError):  # such as clamps that are too far apart
             sizes["extension" if model == "inextensible" else "shear"] = np.inf
             continue
         for of in ("extension", "shear"):
-            sizes.setdefault(of, _size(result, of, quantity))
-        error = _size(result, "strains", quantity)
+            sizes.setdefault(of, _size_of_effect(result, of, quantity))
+        error = _size_of_effect(result, "strains", quantity)
         if error <= tol:
             break
     else:
         model, error = MODELS[-1], 0.0
-        modelled = _modelled(scene, space, model)
-        result = solved(on_its_grid(modelled))
-    text = f"{space}{why}, {model}: {_told(sizes, tol)}"
+        modelled = in_model(scene, model, space)
+        result = solved(modelled.refined(0))
+    text = f"{space}{why}, {model}: {_sizes_in_words(sizes, tol)}"
     return Choice(space, model, error, sizes, text, modelled, result)
 
 
-def _modelled(scene: Scene, space: Space, model: Model) -> Scene:
-    return rebuilt(scene, tuple(replace(rod, model=model) for rod in scene.rods), space)
+def in_model(scene: Scene, model: Model, space: Space | None = None) -> Scene:
+    """The scene with another model of all rods, and perhaps in another space."""
+    rods = tuple(rod.in_model(model) for rod in scene.rods)
+    return replace(scene, rods=rods, space=space or scene.space)
 
 
-def _size(result: Equilibrium, of: Of, quantity: Quantity | None) -> float:
+def _size_of_effect(result: Equilibrium, of: Of, quantity: Quantity | None) -> float:
     try:
         found = effect(result, of, quantity)
     except NotConverged:
@@ -115,7 +117,7 @@ def _most(values: float | Array) -> float:
     return float(np.abs(values).max())
 
 
-def _told(sizes: dict[str, float], tol: float) -> str:
+def _sizes_in_words(sizes: dict[str, float], tol: float) -> str:
     def words() -> Iterator[str]:
         for of, size in sizes.items():
             if np.isinf(size):

@@ -16,7 +16,7 @@ from pyrod.rod.models import STRAINS
 from pyrod.rod.rod import Rod
 from pyrod.rod.section import Model
 from pyrod.scene.planarity import is_planar
-from pyrod.scene.scene import Scene, on_its_grid, rebuilt
+from pyrod.scene.scene import Scene
 from pyrod.solving.run import solved
 
 Of = Literal["extension", "shear", "strains", "space"]
@@ -128,7 +128,7 @@ def out_of_plane_index(result: Equilibrium) -> int | None:
     spatial = _in_space(result.scene)
     if why := is_planar(result.scene).why:
         raise ValueError(f"result: in space it is no equilibrium, since {why}")
-    planar = on_its_grid(result.scene)
+    planar = result.scene.refined(0)
     inside, free = (solved(x, start=result, stable=False).index for x in (planar, spatial))
     return None if free < 0 or inside < 0 else free - inside
 
@@ -138,7 +138,7 @@ def _predicted(richer: Scene | None, result: Equilibrium) -> tuple[Equilibrium, 
     if richer is None:
         return result, result, True
     options = Options(max_iterations=1)
-    scenes = on_its_grid(result.scene), richer
+    scenes = result.scene.refined(0), richer
     steps = [solved(x, options, start=result, strict=False, stable=False) for x in scenes]
     if all(map(_is_whole, steps)):
         return steps[0], steps[1], True
@@ -155,17 +155,16 @@ def _is_whole(step: Equilibrium) -> bool:
 def _in_space(scene: Scene) -> Scene:
     if scene.space == "spatial":
         raise ValueError("result: its scene is spatial already")
-    grid = on_its_grid(scene)
-    return rebuilt(grid, grid.rods, "spatial")
+    return replace(scene.refined(0), space="spatial")
 
 
 def _with_strains(scene: Scene, of: Of) -> Scene | None:
     """The scene with more strains; None if that makes no difference."""
-    poorer = on_its_grid(scene)
+    poorer = scene.refined(0)
     rods = tuple(_richer(rod, _ADDED[of]) for rod in poorer.rods)
     if all(new is old for new, old in zip(rods, poorer.rods, strict=True)):
         return None
-    return rebuilt(poorer, rods, scene.space)
+    return replace(poorer, rods=rods)
 
 
 def _richer(rod: Rod, added: tuple[bool, ...]) -> Rod:

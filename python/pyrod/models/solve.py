@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from time import perf_counter
 from typing import Literal
 
@@ -11,12 +10,12 @@ from numpy.typing import ArrayLike
 
 from pyrod._core import Options
 from pyrod.base.progress import iterations
-from pyrod.models.choice import smallest_model
+from pyrod.models.choice import in_model, smallest_model
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.rod.section import Model
 from pyrod.scene.scene import Scene, checked_scene
-from pyrod.solving.job import How
-from pyrod.solving.run import judge, print_iteration, run
+from pyrod.solving.job import DEFAULTS, How
+from pyrod.solving.run import judge, print_iteration, unjudged
 
 
 def solve(
@@ -73,9 +72,12 @@ def solve(
     AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
     """
     checked_scene(scene)
-    how = How(options or Options(), stable, eigenvalue, tol)
-    with iterations(progress and not verbose) as show:
-        result = found(scene, how, model, start, print_iteration if verbose else show)
+    how = How(options or DEFAULTS, stable, eigenvalue, tol)
+    if progress and not verbose:
+        with iterations() as show:
+            result = found(scene, how, model, start, show)
+    else:
+        result = found(scene, how, model, start, print_iteration if verbose else None)
     judge(result, strict, verbose)
     return result
 
@@ -91,17 +93,16 @@ def found(
     began = perf_counter()
     choice = None
     if model is not None:
-        scene, choice = _in_model(scene, model, how.tol)
-    return run(scene, how, start, trace, choice, began)
+        scene, choice = _chosen(scene, model, how.tol)
+    return unjudged(scene, how, start, trace, choice, began)
 
 
-def _in_model(
+def _chosen(
     scene: Scene, model: Literal["auto"] | Model, tol: float | None
 ) -> tuple[Scene, str | None]:
     """The scene with another model, and why."""
     if model != "auto":
-        rods = [replace(rod, model=model) for rod in scene.rods]
-        return Scene(rods, scene.supports, scene.loads, scene.space, scene.joints), None
+        return in_model(scene, model), None
     if tol is None:
         raise ValueError("model: 'auto' needs tol, the error that is allowed")
     choice = smallest_model(scene, tol)

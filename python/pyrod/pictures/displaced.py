@@ -31,16 +31,17 @@ def mode_displacements(result: Equilibrium) -> list[Array]:
 
 def _starts(result: Equilibrium, relative: list[Array]) -> Array:
     """(rods, 3) displacements of the starts: the least that supports and joints allow."""
-    vertex_at, count = result.scene._vertex, len(result.rods)
+    compiled, count = result.scene._compiled, len(result.rods)
     rows: list[Array] = [np.zeros((0, 3 * count))]
     right: list[Array] = [np.zeros(0)]
-    for support in result.scene.supports:
-        rod, vertex = vertex_at(support.at)
-        held = _held(support._free(result.rods[rod].vertex_frames[vertex]))
+    for number, support in enumerate(result.scene.supports):
+        rod, vertex = compiled.vertex(support.at)
+        frame = result.rods[rod].vertex_frames[vertex]
+        held = _held(compiled.free_directions(number, frame))
         rows.append(np.kron(np.eye(count)[rod], held))
         right.append(-held @ relative[rod][vertex])
     for joint in result.scene.joints:
-        (first, at), *others = [vertex_at(point) for point in joint.points]
+        (first, at), *others = [compiled.vertex(point) for point in joint.points]
         for rod, vertex in others:
             rows.append(np.kron(np.eye(count)[rod] - np.eye(count)[first], np.eye(3)))
             right.append(relative[first][at] - relative[rod][vertex])

@@ -128,7 +128,7 @@ def _sweep(rod: RodEquilibrium, number: int, run: Run, sides: int) -> Swept:
     loops = [outline.loops(sides) for _, outline in run]
     blocks = _blocks(loops[0])
     vertices = np.array([vertex for vertex, _ in run])
-    points = _placed(rod, vertices, np.array([np.vstack(of) for of in loops]))
+    points = _swept_to(rod, vertices, np.array([np.vstack(of) for of in loops]))
     index = np.arange(points[..., 0].size).reshape(points.shape[:2])
     turns = [_meeting(points[0, block], points[-1, block]) for block in blocks]
     met = [turn for turn in turns if turn is not None]
@@ -141,7 +141,7 @@ def _sweep(rod: RodEquilibrium, number: int, run: Run, sides: int) -> Swept:
         points = points[:-1]
     return Swept(
         points.reshape(-1, 3),
-        np.vstack([_sides(index[:, block]) for block in blocks]),
+        np.vstack([_quads(index[:, block]) for block in blocks]),
         caps,
         np.full(points[..., 0].size, number),
         np.repeat(vertices[: len(points)], points.shape[1]),
@@ -162,13 +162,13 @@ def _blocks(loops: tuple[Array, ...]) -> list[slice]:
     return [slice(a, b) for a, b in pairwise(ends)]
 
 
-def _placed(rod: RodEquilibrium, vertices: Indices, flat: Array) -> Array:
+def _swept_to(rod: RodEquilibrium, vertices: Indices, flat: Array) -> Array:
     """(v, p, 3) points in space of (v, p, 2) points in the plane of a1 and a2."""
     across = to_matrix(rod.vertex_frames[vertices])[:, :, :2]
     return rod.positions[vertices, None] + np.einsum("vij,vpj->vpi", across, flat)
 
 
-def _sides(index: Indices) -> Indices:
+def _quads(index: Indices) -> Indices:
     """Quads between neighbouring rows of points that go round."""
     following = np.roll(index, -1, axis=1)
     quads = np.stack([index[:-1], following[:-1], following[1:], index[1:]], axis=-1)

@@ -187,10 +187,9 @@ def _add_rods(plotter: Any, result: Equilibrium, colour_by: str | None, sides: i
 
 def _add_supports(plotter: Any, result: Equilibrium) -> None:
     pyvista = need("pyvista", "view")
-    for support in result.scene.supports:
+    for support, at in zip(result.scene.supports, result.support_positions, strict=True):
         number, s = on_rod(support.at, [rod.length for rod in result.scene.rods])
         size = 1.5 * result.scene.rods[number].outline(s).size
-        at = result._support_position(support)
         if support.holds_frame:
             glyph = pyvista.Cube(center=at, x_length=size, y_length=size, z_length=size)
         else:

@@ -33,7 +33,7 @@ def overview(result: Equilibrium) -> Figure:
     pyplot = need("matplotlib.pyplot", "plot")
     names = [name for pair in PANELS.values() for name in pair if _has(result, name)]
     figure = pyplot.figure(figsize=(13, 8), layout="constrained")
-    figure.suptitle(_title(result))
+    figure.suptitle(_headline(result))
     left, right = figure.add_gridspec(1, 2, width_ratios=(3, 2))
     _draw_shapes(result, figure, left)
     for name, place in zip(names, right.subgridspec(len(names), 1), strict=True):
@@ -66,7 +66,7 @@ def _has(result: Equilibrium, name: str) -> bool:
     return name != "Gamma" or any(any(STRAINS[rod.rod.model]) for rod in result.rods)
 
 
-def _title(result: Equilibrium) -> str:
+def _headline(result: Equilibrium) -> str:
     rods = f"{len(result.rods)} rods" if len(result.rods) > 1 else repr(result.scene.rod)
     facts = [result.status, stability(result), f"energy {result.energy:.6g} J"]
     if result.accuracy is not None:

@@ -71,10 +71,8 @@ class Accuracy(Immutable):
         return f"error {reached} on {self.grids} grids{but}"
 
 
-def accuracy_of(told: tuple[Any, ...] | None, neutral: bool) -> Accuracy | None:
+def accuracy_of(told: tuple[Any, ...], neutral: bool) -> Accuracy:
     """What the compiled ladder says of errors."""
-    if told is None:
-        return None
     tol, errors, order, regular, grids, finest, ended, reason = told
     errors["reactions"] = max(errors["reactions"], errors.pop("reaction_moments"))
     return Accuracy(tol, errors, order, regular, grids, finest, ended, neutral, reason)

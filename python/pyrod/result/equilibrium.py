@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-import pyrod._core as _core
 from pyrod.base.arrays import number
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy
@@ -18,7 +17,6 @@ from pyrod.result.accuracy import Accuracy
 from pyrod.rod.rod import Rod
 from pyrod.rotation import conjugate, exp, multiply, rotate
 from pyrod.scene.scene import Scene
-from pyrod.scene.supports import Support
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -76,12 +74,6 @@ class RodEquilibrium(Lazy, Immutable):
     """
     largest_force: float  #: largest section force [N]
     largest_moment: float  #: largest section moment [N m]
-
-    @classmethod
-    def _of(cls, rod: Rod, source: _core.RodSolution) -> RodEquilibrium:
-        self = object.__new__(cls)
-        self.__dict__.update(rod=rod, _source=source)
-        return self
 
     @property
     def s(self) -> Array:
@@ -144,12 +136,6 @@ class Equilibrium(Lazy, Immutable):
     """What is known of the errors, if a tolerance was given."""
     choice: str | None = None
     """Which model was chosen and why, if that was left to the solver."""
-
-    @classmethod
-    def _of(cls, source: _core.Equilibrium, **known: Any) -> Equilibrium:
-        self = object.__new__(cls)
-        self.__dict__.update(_source=source, **known)
-        return self
 
     def __getattr__(self, name: str) -> Any:
         """What is made when it is asked for, and what is known of the only rod."""
@@ -255,7 +241,7 @@ class Equilibrium(Lazy, Immutable):
         frames = np.vstack([rod.frames for rod in self.rods])
         turns = rotate(frames, self.mode)
         if np.abs(turns - turns.mean(axis=0)).max() < 1e-3:
-            return f"everything turns about the direction {_direction(turns.mean(axis=0))}"
+            return f"everything turns about the direction {_direction_in_words(turns.mean(axis=0))}"
         if np.abs(self.mode[:, :2]).max() < 1e-3:
             return "rods turn about their own axes"
         return "the shape goes over into others of the same energy"
@@ -272,21 +258,22 @@ class Equilibrium(Lazy, Immutable):
         for rod in self.rods:
             forces += list(rod.load)
             moments += [*np.cross(rod.positions, rod.load), rod.load_moment]
-        for support, reaction in zip(self.scene.supports, self.reactions, strict=True):
+        for at, reaction in zip(self.support_positions, self.reactions, strict=True):
             forces.append(reaction.force)
-            at = self._support_position(support)
             moments += [np.cross(at, reaction.force), reaction.moment]
-        force = _size(forces) + max(longest(rod.force) for rod in self.rods)
-        moment = _size(moments) + max(longest(rod.moment) for rod in self.rods)
+        force = _sum_of_lengths(forces) + max(longest(rod.force) for rod in self.rods)
+        moment = _sum_of_lengths(moments) + max(longest(rod.moment) for rod in self.rods)
         length = max(rod.rod.length for rod in self.rods)
         return (
-            _size([np.sum(forces, axis=0)]) / (force or 1.0),
-            _size([np.sum(moments, axis=0)]) / (moment + length * force or 1.0),
+            _sum_of_lengths([np.sum(forces, axis=0)]) / (force or 1.0),
+            _sum_of_lengths([np.sum(moments, axis=0)]) / (moment + length * force or 1.0),
         )
 
-    def _support_position(self, support: Support) -> Array:
-        rod, vertex = self.scene._vertex(support.at)
-        return self.rods[rod].positions[vertex]
+    @property
+    def support_positions(self) -> list[Array]:
+        """Where the points are that supports hold."""
+        vertices = (self.scene._compiled.vertex(support.at) for support in self.scene.supports)
+        return [self.rods[rod].positions[vertex] for rod, vertex in vertices]
 
     # Pictures and files ---------------------------------------------------------------------------
 
@@ -349,11 +336,11 @@ class Equilibrium(Lazy, Immutable):
 _ROD_FIELDS = frozenset(RodEquilibrium.__dataclass_fields__)
 
 
-def _direction(vector: Array) -> str:
+def _direction_in_words(vector: Array) -> str:
     return "({:.3g}, {:.3g}, {:.3g})".format(*vector / np.linalg.norm(vector))
 
 
-def _size(vectors: list[Array]) -> float:
+def _sum_of_lengths(vectors: list[Array]) -> float:
     return float(np.linalg.norm(vectors, axis=1).sum())
 
 

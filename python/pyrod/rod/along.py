@@ -22,12 +22,12 @@ EndOutlines = tuple[Outline | None, Outline | None]
 def section_rows(section: Sections, edges: int) -> Any:
     """What the compiled rod takes: the numbers of one, a row per edge, or a function of these."""
     if isinstance(section, Section):
-        return np.array(section._row)
+        return _numbers_of(section)
     if callable(section):
-        return lambda s: _checked(section(s))._row
+        return lambda s: _numbers_of(_checked_section(section(s)))
     if not isinstance(section, Iterable):
         raise TypeError(f"section: expected a Section, got a {type(section).__name__}")
-    rows = [_checked(one)._row for one in section]
+    rows = [_numbers_of(_checked_section(one)) for one in section]
     if len(rows) != edges:
         raise ValueError(f"section: expected {edges}, one per edge, got {len(rows)}")
     return np.array(rows)
@@ -58,7 +58,11 @@ def masses(values: ArrayLike, edges: int) -> Array:
     return mass if mass.shape else frozen(np.full(edges, mass))
 
 
-def _checked(section: Section) -> Section:
+def _numbers_of(of: Section) -> tuple[float, ...]:
+    return (of.EI1, of.EI2, of.GJ, of.GA1, of.GA2, of.EA, of.mass_per_length)
+
+
+def _checked_section(section: Section) -> Section:
     if not isinstance(section, Section):
         raise TypeError(f"section: expected a Section, got a {type(section).__name__}")
     return section

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Union
 
 import numpy as np
 
@@ -13,32 +13,12 @@ from pyrod.base.arrays import Array
 from pyrod.curve._sampling import along
 from pyrod.rod.along import Curvature, EndOutlines, Sections, outlines_of, section_rows
 from pyrod.rod.outline import Outline
-from pyrod.rod.section import Model, Section
+from pyrod.rod.section import Model
 
 Placement = tuple[Array, Array]
 Jumps = tuple[list[int], Array]
 """Inner vertices, and for each (4, 3): bending and K0 before it, bending and K0 behind it."""
 NO_JUMPS: Jumps = ([], np.zeros((0, 4, 3)))
-
-
-class Law(Protocol):
-    """Tells what a rod is made of."""
-
-    @property
-    def portable(self) -> bool: ...
-
-    @property
-    def asks(self) -> bool: ...
-
-    @property
-    def base(self) -> Array: ...
-
-    @property
-    def corners(self) -> bool: ...
-
-    def outlines(self, h: Array) -> tuple[EndOutlines, ...]: ...
-
-    def compiled(self, model: Model | None, place: Placement, chooses: bool) -> _core.Rod: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +41,7 @@ class Made:
             section_rows(self.section, n),
             along(self.curvature, n + 1, "curvature", "vertex"),
             self.corners,
-            None if model is None else _core.Model.__members__[model],
+            model,
             chooses,
             *place,
         )
@@ -74,11 +54,6 @@ class Made:
             return self.section
         s = _arc_lengths(h)
         return [self.section[i] for i in _edges_at((s[1:] + s[:-1]) / 2, self.base)]
-
-    @property
-    def asks(self) -> bool:
-        """Whether a finer grid needs to ask it, for more than means between vertices."""
-        return not isinstance(self.section, Section) or callable(self.curvature)
 
     @property
     def portable(self) -> bool:
@@ -97,10 +72,6 @@ class Points(Made):
     """Sections along a polygon, which turns at the vertices of ``base`` alone, on any grid."""
 
     corners = True
-
-    @property
-    def asks(self) -> bool:
-        return super().asks or bool(np.any(np.asarray(self.curvature)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,12 +95,7 @@ class Table:
     def compiled(self, model: Model | None, place: Placement, chooses: bool) -> _core.Rod:
         """On the edges of the base, which nobody chooses."""
         arrays = self.base, self.bending, self.stretching, self.K0, self.mass
-        kind = _core.Model.__members__[model or "cosserat"]
-        return _core.Rod.of_arrays(*arrays, self.corners, *self.jumps, kind, *place)
-
-    @property
-    def asks(self) -> bool:
-        return self.corners and bool(self.K0.any())
+        return _core.Rod.of_arrays(*arrays, self.corners, *self.jumps, model or "cosserat", *place)
 
     def outlines(self, h: Array) -> tuple[EndOutlines, ...]:
         if not self.shapes:
@@ -141,6 +107,10 @@ class Table:
             (within(self.shapes[i], a), within(self.shapes[i], b))
             for i, (a, b) in zip(edges, parts, strict=True)
         )
+
+
+Law = Union[Made, Table]
+"""Tells what a rod is made of."""
 
 
 def kept_outlines(law: Law | None, h: Array) -> tuple[EndOutlines, ...]:

@@ -77,7 +77,7 @@ class Outline:
 
     def to_dict(self) -> dict[str, dict[str, Any]]:
         """What it was made from as plain numbers: ``{"circle": {"radius": 0.01}}`` and so on."""
-        numbers = {name: _plain(value) for name, value in asdict(self).items() if value is not None}
+        numbers = {name: _lists(value) for name, value in asdict(self).items() if value is not None}
         return {type(self).__name__.lower(): numbers}
 
     @property
@@ -231,6 +231,6 @@ def _between(a: Any, b: Any, part: float) -> Any:
     return None if a is None else (1 - part) * a + part * b
 
 
-def _plain(value: Any) -> Any:
+def _lists(value: Any) -> Any:
     """Lists in place of tuples, as files have them."""
-    return [_plain(x) for x in value] if isinstance(value, tuple) else value
+    return [_lists(x) for x in value] if isinstance(value, tuple) else value

@@ -17,7 +17,7 @@ THINNEST = 1 / 20  # height over width or the other way round, so that they can 
 
 def outlines(rod: Rod) -> tuple[tuple[Outline, Outline], ...]:
     """Outlines at the start and at the end of each edge; made up where the section has none."""
-    told = rod._law.outlines(rod.edge_lengths)  # type: ignore[union-attr]
+    told = rod._law.outlines(rod.edge_lengths)
     if all(a is not None and b is not None for a, b in told):
         return told  # type: ignore[return-value]
     made = [_made_up(EI1, EI2, rod.length) for EI1, EI2, _ in rod.bending]

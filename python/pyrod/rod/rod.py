@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod.base.arrays import array, finite, rows
 from pyrod.base.borrowed import borrowed
-from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
+from pyrod.base.immutable import Array, Immutable, Lazy, frozen, vector
 from pyrod.curve._sampling import edge_lengths, natural_edges
 from pyrod.rod.along import Curvature, Sections, masses
 from pyrod.rod.energy import Energy
@@ -24,10 +24,12 @@ from pyrod.rod.section import Model
 from pyrod.rotation import as_frame, as_frames, exp, frame_along, multiply, unit_frame
 
 _ORIGIN: Placement = (frozen([0, 0, 0]), frozen([1, 0, 0, 0]))
+_NO_CURVATURE = frozen([0, 0, 0])
+_ARRAYS = ("edge_lengths", "bending", "stretching", "K0", "mass_per_length")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Rod(Immutable):
+class Rod(Lazy, Immutable):
     """A rod of n edges; its sections and its curvature at rest may vary along it.
 
     Make one with `Rod.straight`, `Rod.precurved` or `Rod.from_curve`; the constructor takes what
@@ -57,9 +59,9 @@ class Rod(Immutable):
     model: Model
     placement: Placement = field(default=_ORIGIN, compare=False)
     mass_per_length: Array = field(default_factory=lambda: frozen(0))
-    _law: Law | None = field(default=None, compare=False)
-    _rod: _core.Rod = field(default=None, compare=False)  # type: ignore[assignment]
-    """Made by the law; a rod with other arrays has another law."""
+    _law: Law = field(default=None, compare=False)  # type: ignore[assignment]
+    _compiled: _core.Rod = field(default=None, compare=False)  # type: ignore[assignment]
+    """Made by the law; a rod with other arrays has another law. It has the arrays."""
 
     def __new__(cls, *args: Any, **kwargs: Any) -> Rod:
         if 0 < len(args) + len(kwargs) < 5:  # none: as pickles do
@@ -71,79 +73,53 @@ class Rod(Immutable):
 
     def __post_init__(self) -> None:
         _check_model(self.model)
-        for name in ("edge_lengths", "bending", "stretching", "K0"):
+        for name in _ARRAYS[:4]:
             self._set(**{name: frozen(getattr(self, name), name)})
         position, frame = self.placement
         self._set(placement=(frozen(position, "placement"), frozen(frame, "placement")))
-        self._set(mass_per_length=masses(self.mass_per_length, self.edges))
-        if self._rod is None or not self._is_by_law():
-            law = self._table()
-            self._set(_law=law, _rod=law.compiled(self.model, self.placement, False))
+        self._set(mass_per_length=masses(self.mass_per_length, len(self.edge_lengths)))
+        if self._compiled is not None and self._is_by_law():
+            self._set(_compiled=self._compiled.replaced(self.model, *self.placement))
         else:
-            kind = _core.Model.__members__[self.model]
-            self._set(_rod=self._rod.replaced(kind, *self.placement))
-
-    @classmethod
-    def _of(cls, made: _core.Rod, law: Law, placement: Placement) -> Rod:
-        """What the compiled rod is."""
-        self = object.__new__(cls)
-        arrays = made.edge_lengths, made.bending, made.stretching, made.K0, made.mass
-        h, bending, stretching, K0, mass = sealed(arrays)
-        self._set(edge_lengths=h, bending=bending, stretching=stretching, K0=K0)
-        self._set(model=made.model.name, placement=placement, mass_per_length=mass)
-        self._set(_law=law, _rod=made)
-        return self
-
-    def _with(self, made: _core.Rod) -> Rod:
-        """The same rod, on other edges perhaps."""
-        mine = self._rod
-        same = len(made.edge_lengths) == self.edges and made.kept == mine.kept
-        return self if same and made.marks == mine.marks else Rod._of(made, *self._what)
-
-    @property
-    def _what(self) -> tuple[Any, Placement]:
-        return self._law, self.placement
-
-    @property
-    def _breaks(self) -> tuple[float, ...] | None:
-        """Arc lengths that must be vertices if the solver chooses the grid; None: it does not."""
-        kept = self._rod.kept
-        return None if kept is None else tuple(kept)
+            law = self.table()
+            self._set(_law=law, _compiled=law.compiled(self.model, self.placement, False))
 
     def _is_by_law(self) -> bool:
         """Whether the arrays are still those that the law says."""
-        made = self._rod
-        theirs = made.edge_lengths, made.bending, made.stretching, made.K0, made.mass
-        return all(map(np.array_equal, (self.edge_lengths, *self._arrays()), theirs))
+        pairs = ((getattr(self, name), getattr(self._compiled, name)) for name in _ARRAYS)
+        return all(np.array_equal(mine, theirs) for mine, theirs in pairs)
 
     def __eq__(self, other: object) -> bool:
         same = super().__eq__(other)
-        return self._breaks == other._breaks if same is True and isinstance(other, Rod) else same
+        if same is not True or not isinstance(other, Rod):
+            return same
+        return self._compiled.kept == other._compiled.kept
 
     __hash__ = None
 
-    def _arrays(self) -> tuple[Array, Array, Array, Array]:
-        return self.bending, self.stretching, self.K0, self.mass_per_length
-
-    def _table(self) -> Table:
+    def table(self) -> Table:
+        """The law that tells the arrays of this rod, and nothing between vertices."""
         shapes = kept_outlines(self._law, self.edge_lengths)
         corners = self._law is not None and self._law.corners
-        return Table(self.edge_lengths, *self._arrays(), shapes, corners)
+        stiffnesses = self.bending, self.stretching
+        return Table(
+            self.edge_lengths, *stiffnesses, self.K0, self.mass_per_length, shapes, corners
+        )
 
     def __getstate__(self) -> dict[str, Any]:
         """Functions of arc length that cannot be pickled are as linear between vertices."""
         state = super().__getstate__()
-        made, law = state.pop("_rod"), self._law
+        made, law = state.pop("_compiled"), self._law
         state["_grid"] = made.kept, made.marks
-        if not law.portable:  # type: ignore[union-attr]
-            state.update(_law=replace(self._table(), jumps=made.jumps), _grid=(None, []))
+        if not law.portable:
+            state.update(_law=replace(self.table(), jumps=made.jumps), _grid=(None, []))
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         kept, marks = state.pop("_grid")
         super().__setstate__(state)
-        made = self._law.compiled(self.model, self.placement, kept is not None)  # type: ignore[union-attr]
-        self._set(_rod=made.on(self.edge_lengths, kept, marks))
+        made = self._law.compiled(self.model, self.placement, kept is not None)
+        self._set(_compiled=made.on(self.edge_lengths, kept, marks))
 
     # Makers --------------------------------------------------------------------------------------
 
@@ -161,7 +137,7 @@ class Rod(Immutable):
             sections, one per edge.
         model : see `Rod`; default: the richest that the section's finite stiffnesses allow.
         """
-        return cls.precurved(length, edges, section, (0.0, 0.0, 0.0), model)
+        return cls.precurved(length, edges, section, _NO_CURVATURE, model)
 
     @classmethod
     def precurved(
@@ -184,8 +160,8 @@ class Rod(Immutable):
         """
         free = edges is None and array(length, "length").ndim == 0
         h = edge_lengths(length, natural_edges(length, curvature) if free else edges)
-        law = Made(section, curvature, frozen(h))
-        return cls._of(law.compiled(_checked_model(model), _ORIGIN, free), law, _ORIGIN)
+        law = Made(section, curvature, h)
+        return rod_of(law.compiled(_checked_model(model), _ORIGIN, free), law, _ORIGIN)
 
     @classmethod
     def from_curve(
@@ -212,27 +188,26 @@ class Rod(Immutable):
         shape = ribbon(positions, frames)
         K0, start = rest_curvature(shape)
         h = shape.polyline.edge_lengths
-        placement = (shape.polyline.positions[0], start)
         law = Points(section, frozen(K0), h)
-        placement = sealed((frozen(placement[0]), frozen(placement[1])))
-        return cls._of(law.compiled(_checked_model(model), placement, False), law, placement)
+        placement = (frozen(shape.polyline.positions[0]), frozen(start))
+        return rod_of(law.compiled(_checked_model(model), placement, False), law, placement)
 
     # Views ---------------------------------------------------------------------------------------
 
     @property
     def edges(self) -> int:
         """Number n of edges."""
-        return len(self.edge_lengths)
+        return self._compiled.edges
 
     @property
     def length(self) -> float:
         """Length at rest [m]."""
-        return self._rod.length
+        return self._compiled.length
 
     @property
     def arc_lengths(self) -> Array:
         """(n + 1,) arc length of the vertices [m]."""
-        return self._rod.arc_lengths
+        return self._compiled.arc_lengths
 
     @property
     def cell_lengths(self) -> Array:
@@ -258,7 +233,12 @@ class Rod(Immutable):
             self.placement[0] if position is None else vector(position, "position"),
             self.placement[1] if frame is None else frozen(unit_frame(frame, "frame")),
         )
-        return replace(self, placement=place)
+        return rod_of(self._compiled.replaced(self.model, *place), self._law, place)
+
+    def in_model(self, model: Model) -> Rod:
+        """The same rod with other strains."""
+        _check_model(model)
+        return rod_of(self._compiled.replaced(model, *self.placement), self._law, self.placement)
 
     def with_vertices(self, at: ArrayLike) -> Rod:
         """The same rod with vertices at the given arc lengths [m].
@@ -269,18 +249,15 @@ class Rod(Immutable):
         these alone. Where `solve` chooses the edges, these vertices are kept. Jumps and kinks of
         functions get vertices by themselves where ``tol`` is asked for (docs/accuracy.md).
         """
-        return self._with(self._rod.with_vertices(np.unique(finite(at, "at"))))
+        made = self._compiled.with_vertices(np.unique(finite(at, "at")))
+        return self if made is None else rod_of(made, self._law, self.placement)
 
-    def _on(self, h: Array, breaks: tuple[float, ...] | None = None) -> Rod:
-        """The same rod on other edges."""
-        return Rod._of(self._rod.on(h, breaks, self._rod.marks), *self._what)
-
-    def _refined(self, level: int) -> Rod:
+    def refined(self, level: int) -> Rod:
         """The same rod with every edge cut in 2^level, and no choice of edges left."""
-        if level == 0 and self._breaks is None:
+        if level == 0 and self._compiled.kept is None:
             return self
         parts = 2**level
-        return self._on(np.repeat(self.edge_lengths / parts, parts))
+        return on_other_edges(self, np.repeat(self.edge_lengths / parts, parts), None)
 
     def frame_at_rest(self, vertex: int, frames: Array | None = None) -> Array:
         """(4,) frame of a vertex at rest; ``frames``: those of the edges, if they are at hand."""
@@ -293,7 +270,7 @@ class Rod(Immutable):
         self, position: ArrayLike | None = None, frame: ArrayLike | None = None
     ) -> tuple[Array, Array]:
         """Positions (n + 1, 3) and frames (n, 4) of the stress-free shape, started as given."""
-        return self._rod.at_rest(
+        return self._compiled.at_rest(
             self.placement[0] if position is None else vector(position, "position"),
             self.placement[1] if frame is None else as_frame(frame, "frame"),
         )
@@ -316,7 +293,7 @@ class Rod(Immutable):
 
         Strains that the rod's model excludes carry no energy.
         """
-        bend_twist, stretch_shear, gradient, hessian = self._rod.energy(
+        bend_twist, stretch_shear, gradient, hessian = self._compiled.energy(
             rows(positions, "positions", 3),
             as_frames(frames, "frames"),
             None if start_frame is None else as_frame(start_frame, "start_frame"),
@@ -326,15 +303,26 @@ class Rod(Immutable):
 
     def __repr__(self) -> str:
         curved = "precurved" if self.K0.any() else "straight"
-        edges = self.edges if self._breaks is None else None
+        edges = self.edges if self._compiled.kept is None else None
         return f"Rod({self.model}, {curved}, length={self.length:g}, edges={edges})"
 
 
+def rod_of(made: _core.Rod, law: Law, placement: Placement) -> Rod:
+    """What the compiled rod is."""
+    rod = object.__new__(Rod)
+    rod.__dict__.update(_law=law, _compiled=made, placement=placement)
+    return rod
+
+
+def on_other_edges(rod: Rod, h: Array, kept: list[float] | None) -> Rod:
+    """The same rod; ``kept``: vertices that are kept if the solver chooses the edges."""
+    made = rod._compiled
+    return rod_of(made.on(h, kept, made.marks), rod._law, rod.placement)
+
+
 def _check_model(model: Any) -> None:
-    if not isinstance(model, str) or model not in _core.Model.__members__:
-        raise ValueError(
-            f"model: expected one of {', '.join(_core.Model.__members__)}, got {model!r}"
-        )
+    if not isinstance(model, str) or model not in get_args(Model):
+        raise ValueError(f"model: expected one of {', '.join(get_args(Model))}, got {model!r}")
 
 
 def _checked_model(model: Model | None) -> Model | None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
-from math import inf, isfinite, isinf
+from math import inf, isinf
 from typing import Literal
 
 import numpy as np
 
 import pyrod._core as _core
-from pyrod.base.arrays import Array, number
+from pyrod.base.arrays import Array, not_negative, number
 from pyrod.rod.outline import Outline
 
 Model = Literal["cosserat", "extensible", "inextensible"]
@@ -34,7 +34,7 @@ class Material:
     def __post_init__(self) -> None:
         _to_numbers(self, "E", "nu", "density")
         _core.section.check_material(self.E, self.nu)
-        _not_negative(self.density, "density")
+        not_negative(self.density, "density")
 
     @property
     def G(self) -> float:
@@ -69,7 +69,7 @@ class Section:
     def __post_init__(self) -> None:
         _to_numbers(self, "EI1", "EI2", "GJ", "GA1", "GA2", "EA", "mass_per_length")
         _core.section.check(self.EI1, self.EI2, self.GJ, self.GA1, self.GA2, self.EA)
-        _not_negative(self.mass_per_length, "mass_per_length")
+        not_negative(self.mass_per_length, "mass_per_length")
         if not isinstance(self.outline, Outline | None):
             raise TypeError(
                 f"outline: expected an Outline or None, got a {type(self.outline).__name__}"
@@ -78,7 +78,7 @@ class Section:
     @staticmethod
     def circle(radius: float, material: Material) -> Section:
         """Solid circle of the given radius [m]. Shear after Cowper (1966)."""
-        radius, material = number(radius, "radius"), _checked(material)
+        radius, material = number(radius, "radius"), _checked_material(material)
         stiffnesses = _core.section.circle(radius, material.E, material.nu)
         return _of(stiffnesses, material, Outline.circle(radius))
 
@@ -86,7 +86,7 @@ class Section:
     def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
         """Ring between two radii [m]. Shear after Cowper (1966)."""
         outer_radius = number(outer_radius, "outer_radius")
-        inner_radius, material = number(inner_radius, "inner_radius"), _checked(material)
+        inner_radius, material = number(inner_radius, "inner_radius"), _checked_material(material)
         stiffnesses = _core.section.tube(outer_radius, inner_radius, material.E, material.nu)
         return _of(stiffnesses, material, Outline.tube(outer_radius, inner_radius))
 
@@ -97,7 +97,7 @@ class Section:
         Torsion after Saint-Venant, shear after Cowper (1966).
         """
         width, height = number(width, "width"), number(height, "height")
-        material = _checked(material)
+        material = _checked_material(material)
         stiffnesses = _core.section.rectangle(width, height, material.E, material.nu)
         return _of(stiffnesses, material, Outline.rectangle(width, height))
 
@@ -110,12 +110,6 @@ class Section:
     def stretching(self) -> Array:
         """(GA1, GA2, EA), the diagonal of C_es in Linn (51)."""
         return np.array([self.GA1, self.GA2, self.EA], dtype=np.float64)
-
-    @property
-    def _row(self) -> tuple[float, ...]:
-        """What a solve takes of it."""
-        bending, shear = (self.EI1, self.EI2, self.GJ), (self.GA1, self.GA2)
-        return (*bending, *shear, self.EA, self.mass_per_length)
 
     @property
     def model(self) -> Model:
@@ -137,14 +131,9 @@ def _to_numbers(made: Material | Section, *names: str) -> None:
             object.__setattr__(made, name, number(value, name))
 
 
-def _checked(material: Material) -> Material:
+def _checked_material(material: Material) -> Material:
     if not isinstance(material, Material):
         raise TypeError(
             f"material: expected a Material, as Material(E=210e9), got a {type(material).__name__}"
         )
     return material
-
-
-def _not_negative(value: float, name: str) -> None:
-    if not (isfinite(value) and value >= 0):
-        raise ValueError(f"{name}: must be finite and not negative, got {value}")

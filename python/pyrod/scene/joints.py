@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 import pyrod._core as _core
-from pyrod.base.immutable import Array, Immutable
+from pyrod.base.immutable import Array
 from pyrod.rod.place import Place, checked
+from pyrod.scene.part import Part
 from pyrod.scene.supports import unit, whole_turns
 
 
 @dataclass(frozen=True, eq=False)
-class Joint(Immutable):
+class Joint(Part):
     """Joins points of rods, or the two ends of one rod to a ring.
 
     Parameters
@@ -34,6 +34,7 @@ class Joint(Immutable):
     turns: int = 0
     aligned: bool | None = None
     axis: Array | None = None
+    _kind = _core.Joint
 
     def __post_init__(self) -> None:
         points = tuple(checked(p) for p in self.points)
@@ -44,7 +45,3 @@ class Joint(Immutable):
         if (self.kind == "hinge") != (self.axis is not None):
             raise ValueError("axis: a hinge needs one, other joints have none")
         self._set(points=points, turns=whole_turns(self.turns), axis=unit(self.axis, "axis"))
-
-    @cached_property
-    def _compiled(self) -> _core.Joint:
-        return _core.Joint(self.points, self.kind, self.turns, self.aligned, self.axis)

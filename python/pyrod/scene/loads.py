@@ -1,10 +1,13 @@
-"""What acts on rods: forces and moments, fixed in space or following the rod."""
+"""What acts on rods: forces and moments, fixed in space or following the rod.
+
+Each kind says here what it consists of, as its compiled counterpart does; that is all that the rest
+knows of it. ``at`` is a point that it acts on, ``rod`` the number of a rod along which it acts.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
-from functools import cached_property
+from dataclasses import dataclass, replace
 from typing import Any, Union
 
 import numpy as np
@@ -12,16 +15,68 @@ from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod.base.arrays import whole
-from pyrod.base.immutable import Array, Immutable, frozen, vector
+from pyrod.base.immutable import Array, frozen, vector
 from pyrod.curve._sampling import along, sampled
 from pyrod.rod.place import Place, checked
 from pyrod.rod.rod import Rod
+from pyrod.scene.part import Part
 
 Along = Union[Array, Callable[[float], ArrayLike]]
 
 
+class Load(Part):
+    """Base of all loads: the first field of each kind is what acts, and grows with a factor."""
+
+    follower = False
+
+    @property
+    def acting(self) -> Any:
+        """What acts: (3,), or along a rod (n, 3), one per edge, or a function of arc length."""
+        return getattr(self, self._kind.fields[0])
+
+    def with_acting(self, values: Any) -> Load:
+        """The same load with something else that acts."""
+        return self if values is self.acting else replace(self, **{self._kind.fields[0]: values})  # type: ignore[type-var]
+
+    def __post_init__(self) -> None:
+        name = self._kind.fields[0]
+        self.__dict__[name] = vector(self.acting, name)
+
+
+class PointLoad(Load):
+    """Base of what acts on one point."""
+
+    at: Place
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.__dict__["at"] = checked(self.at)
+
+
+class LoadAlong(Load):
+    """Base of what acts along a rod."""
+
+    rod: int
+
+    def __post_init__(self) -> None:
+        self._set(rod=whole(self.rod, "rod"))
+        name = self._kind.fields[0]
+        if not callable(self.acting):
+            self.__dict__[name] = frozen(self.acting, name)
+
+    def on_edges(self, rods: tuple[Rod, ...]) -> Array:
+        """(n, 3) what acts at the centres of the edges."""
+        s = rods[self.rod].arc_lengths
+        return sampled(self.acting, (s[1:] + s[:-1]) / 2, self._kind.fields[0], "edge")
+
+    def refuse_shape(self, rods: tuple[Rod, ...]) -> None:
+        """Refuses an array that is neither (3,) nor rows of three."""
+        if not callable(self.acting) and self.acting.shape[1:] != (3,) and self.rod < len(rods):
+            along(self.acting, rods[self.rod].edges, self._kind.fields[0], "edge")
+
+
 @dataclass(frozen=True, eq=False)
-class Force(Immutable):
+class Force(PointLoad):
     """A force (3,) [N] on one point of a rod.
 
     at : "end" (default), "start", an arc length [m], or (number of the rod, one of these). Between
@@ -33,17 +88,11 @@ class Force(Immutable):
     force: Array
     at: Place = "end"
     follower: bool = False
-
-    def __post_init__(self) -> None:
-        self._set(force=vector(self.force, "force"), at=checked(self.at))
-
-    @cached_property
-    def _compiled(self) -> _core.Force:
-        return _core.Force(self.force, self.at, self.follower)
+    _kind = _core.Force
 
 
 @dataclass(frozen=True, eq=False)
-class Moment(Immutable):
+class Moment(PointLoad):
     """A moment (3,) [N m] on one cross-section.
 
     at, follower : as for `Force`. In space neither a dead moment nor a follower has a potential.
@@ -52,17 +101,11 @@ class Moment(Immutable):
     moment: Array
     at: Place = "end"
     follower: bool = False
-
-    def __post_init__(self) -> None:
-        self._set(moment=vector(self.moment, "moment"), at=checked(self.at))
-
-    @cached_property
-    def _compiled(self) -> _core.Moment:
-        return _core.Moment(self.moment, self.at, self.follower)
+    _kind = _core.Moment
 
 
 @dataclass(frozen=True, eq=False)
-class DistributedForce(Immutable):
+class DistributedForce(LoadAlong):
     """A force per length at rest [N/m].
 
     force_per_length : (3,), (n, 3) one per edge, or a function of arc length, which is taken at the
@@ -74,20 +117,11 @@ class DistributedForce(Immutable):
     force_per_length: Along
     rod: int = 0
     follower: bool = False
-
-    def __post_init__(self) -> None:
-        self._set(rod=whole(self.rod, "rod"))
-        if not callable(self.force_per_length):
-            self._set(force_per_length=frozen(self.force_per_length, "force_per_length"))
-
-    @cached_property
-    def _compiled(self) -> _core.DistributedForce:
-        values = _along(self.force_per_length, "force_per_length")
-        return _core.DistributedForce(values, self.rod, self.follower)
+    _kind = _core.DistributedForce
 
 
 @dataclass(frozen=True, eq=False)
-class DistributedMoment(Immutable):
+class DistributedMoment(LoadAlong):
     """A moment per length at rest [N].
 
     moment_per_length, rod, follower : as for `DistributedForce`.
@@ -96,97 +130,41 @@ class DistributedMoment(Immutable):
     moment_per_length: Along
     rod: int = 0
     follower: bool = False
-
-    def __post_init__(self) -> None:
-        self._set(rod=whole(self.rod, "rod"))
-        if not callable(self.moment_per_length):
-            self._set(moment_per_length=frozen(self.moment_per_length, "moment_per_length"))
-
-    @cached_property
-    def _compiled(self) -> _core.DistributedMoment:
-        values = _along(self.moment_per_length, "moment_per_length")
-        return _core.DistributedMoment(values, self.rod, self.follower)
+    _kind = _core.DistributedMoment
 
 
 @dataclass(frozen=True, eq=False)
-class Gravity(Immutable):
+class Gravity(Load):
     """The weight of all rods whose sections have a mass per length.
 
     acceleration : (3,) [m/s^2]; default: 9.81 along -z.
     """
 
     acceleration: Array = (0.0, 0.0, -9.81)  # type: ignore[assignment]
-
-    follower = False
-
-    def __post_init__(self) -> None:
-        self._set(acceleration=vector(self.acceleration, "acceleration"))
-
-    @cached_property
-    def _compiled(self) -> _core.Gravity:
-        return _core.Gravity(self.acceleration)
-
-
-Load = Union[Force, Moment, DistributedForce, DistributedMoment, Gravity]
-
-
-def any_function(loads: tuple[Load, ...]) -> bool:
-    """Whether a load is told by a function of arc length."""
-    return any(
-        callable(load.force_per_length) for load in loads if isinstance(load, DistributedForce)
-    ) or any(
-        callable(load.moment_per_length) for load in loads if isinstance(load, DistributedMoment)
-    )
-
-
-def _along(values: Any, name: str) -> Any:
-    """(3,), a row per edge, or a function of arc length; how many rows, the rod tells."""
-    return along(values, 1, name, "edge") if callable(values) else values
-
-
-def refuse_shapes(loads: tuple[Load, ...], rods: tuple[Rod, ...]) -> None:
-    """Refuses arrays along rods that are neither (3,) nor rows of three."""
-    for load in loads:
-        if isinstance(load, (DistributedForce, DistributedMoment)) and load.rod < len(rods):
-            name = fields(load)[0].name
-            values = getattr(load, name)
-            if not callable(values) and values.shape[1:] != (3,):
-                along(values, rods[load.rod].edges, name, "edge")
+    _kind = _core.Gravity
 
 
 def on_cut_edges(load: Load, given: tuple[Rod, ...], cut: tuple[Rod, ...]) -> Load:
     """The load whose rows belong to the edges of the given rods, on these cut."""
-
-    def rows(values: Any, name: str) -> Any:
-        before, now = given[load.rod], cut[load.rod]  # type: ignore[union-attr]
-        if now is before or np.ndim(values) != 2 or len(values) != before.edges:
-            return values
-        centres = (now.arc_lengths[1:] + now.arc_lengths[:-1]) / 2
-        return values[np.searchsorted(before.arc_lengths[1:-1], centres)]
-
-    return _with_values(load, rods=cut, new=rows)
-
-
-def on_edges(values: Any, rod: Rod, name: str) -> Array:
-    """Values along a rod at the centres of its edges, (n, 3)."""
-    s = rod.arc_lengths
-    return sampled(values, (s[1:] + s[:-1]) / 2, name, "edge")
+    if not isinstance(load, LoadAlong) or np.ndim(load.acting) != 2:
+        return load
+    before, now = given[load.rod], cut[load.rod]
+    if now is before or len(load.acting) != before.edges:
+        return load
+    centres = (now.arc_lengths[1:] + now.arc_lengths[:-1]) / 2
+    return load.with_acting(load.acting[np.searchsorted(before.arc_lengths[1:-1], centres)])
 
 
 def sampled_load(load: Load, rods: tuple[Rod, ...]) -> Load:
-    """The same load with functions replaced by the values they have on the edges."""
-    return _with_values(load, rods, lambda values, name: on_edges(values, rods[load.rod], name))  # type: ignore[union-attr]
+    """The same load with a function replaced by the values it has on the edges."""
+    return load.with_acting(load.on_edges(rods)) if isinstance(load, LoadAlong) else load
 
 
 def stepwise_load(load: Load, rods: tuple[Rod, ...]) -> Load:
     """The same load on any grid: values that are given edge by edge hold for all of the edge."""
-
-    def function(values: Any, name: str) -> Any:
-        if callable(values) or np.ndim(values) == 1:
-            return values
-        return _Steps(on_edges(values, rods[load.rod], name), rods[load.rod].arc_lengths)  # type: ignore[union-attr]
-
-    return _with_values(load, rods, function)
+    if not isinstance(load, LoadAlong) or np.ndim(load.acting) != 2:
+        return load
+    return load.with_acting(_Steps(load.on_edges(rods), rods[load.rod].arc_lengths))
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,18 +175,3 @@ class _Steps:
     def __call__(self, s: float) -> Array:
         edge = int(np.searchsorted(self.ends, s, "right")) - 1
         return self.values[min(max(edge, 0), len(self.values) - 1)]
-
-
-def scaled_load(load: Load, factor: float) -> Load:
-    """The same load, so many times as large; one that has been `sampled_load`."""
-    name = fields(load)[0].name
-    return replace(load, **{name: factor * getattr(load, name)})
-
-
-def _with_values(load: Load, rods: tuple[Rod, ...], new: Callable[[Any, str], Any]) -> Load:
-    if not isinstance(load, (DistributedForce, DistributedMoment)):
-        return load
-    name = fields(load)[0].name
-    before = getattr(load, name)
-    values = new(before, name)
-    return load if values is before else type(load)(values, load.rod, load.follower)

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 import pyrod._core as _core
 from pyrod.base.borrowed import borrowed
-from pyrod.base.immutable import Array, Immutable, sealed
-from pyrod.rod.place import Place
-from pyrod.rod.rod import Rod
+from pyrod.base.immutable import Array, Immutable, Once
+from pyrod.rod.rod import Rod, rod_of
 from pyrod.scene.joints import Joint
-from pyrod.scene.loads import Load, on_cut_edges, refuse_shapes, sampled_load, stepwise_load
+from pyrod.scene.loads import Load, LoadAlong, on_cut_edges, sampled_load, stepwise_load
 from pyrod.scene.supports import Clamp, Support
 
 Space = Literal["planar", "spatial"]
@@ -49,7 +47,6 @@ class Scene(Immutable):
     loads: tuple[Load, ...]
     space: Space
     joints: tuple[Joint, ...]
-    _core: _core.Scene = field(init=False, compare=False)
 
     def __init__(
         self,
@@ -59,62 +56,55 @@ class Scene(Immutable):
         space: Space = "spatial",
         joints: Joint | Iterable[Joint] = (),
     ) -> None:
-        rods = _tuple(rods, Rod, "rods")
-        supports = _tuple(supports, Support, "supports")
-        loads = _tuple(loads, Load.__args__, "loads")  # type: ignore[attr-defined]
-        joints = _tuple(joints, Joint, "joints")
-        if not rods:
-            raise ValueError("rods: expected at least one")
-        if not isinstance(space, str) or space not in _core.Dimension.__members__:
+        rods, supports = _tuple(rods, Rod, "rods"), _tuple(supports, Support, "supports")
+        loads, joints = _tuple(loads, Load, "loads"), _tuple(joints, Joint, "joints")
+        if not isinstance(space, str) or space not in ("planar", "spatial"):
             raise ValueError(
                 f"space: expected 'planar' or 'spatial', got {space!r}{_belonging(space)}"
             )
-        if not supports and not joints:
-            raise ValueError(
-                "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or "
-                "another support"
-            )
-        refuse_shapes(loads, rods)
-        compiled = _core.Scene(
-            [rod._rod for rod in rods],
-            [support._compiled for support in supports],
-            [joint._compiled for joint in joints],
-            [load._compiled for load in loads],
-            _core.Dimension.__members__[space],
+        for load in loads:
+            if isinstance(load, LoadAlong):
+                load.refuse_shape(rods)
+        self._set(rods=rods, supports=supports, loads=loads, space=space, joints=joints)
+        cut = _on_grid(rods, self._compiled.rods([rod._compiled for rod in rods]))
+        if cut is not rods:
+            self._set(rods=cut, loads=tuple(on_cut_edges(load, rods, cut) for load in loads))
+
+    @Once
+    def _compiled(self) -> _core.Scene:
+        """The compiled scene; it says what cannot be solved."""
+        return _core.Scene(
+            [rod._compiled for rod in self.rods],
+            [support._compiled for support in self.supports],
+            [joint._compiled for joint in self.joints],
+            [load._compiled for load in self.loads],
+            self.space,
         )
-        cut = _on_grid(rods, compiled.rods([rod._rod for rod in rods]))
-        loads = tuple(on_cut_edges(load, rods, cut) for load in loads)
-        self._set(rods=cut, supports=supports, loads=loads, space=space, joints=joints)
-        self._set(_core=compiled)
 
-    def _refined(self, level: int) -> Scene:
+    def refined(self, level: int) -> Scene:
         """The same scene with every edge cut in 2^level, and no choice of edges left."""
-        loads = [stepwise_load(load, self.rods) for load in self.loads]
-        rods = [rod._refined(level) for rod in self.rods]
-        return Scene(rods, self.supports, loads, self.space, self.joints)
+        rods = tuple(rod.refined(level) for rod in self.rods)
+        if all(map(operator.is_, rods, self.rods)):
+            return self
+        return replace(self, rods=rods, loads=self._loads_on_any_grid() if level else self.loads)
 
-    @cached_property
+    @Once
     def _climbing(self) -> Scene:
-        """The scene as a solve with a tolerance has it.
+        """The scene as a solve with a tolerance has it; compiled only if it is solved itself.
 
         It has more vertices where loads act, and where functions jump or have kinks.
         """
-        rods = _on_grid(self.rods, self._core.climbing_rods([rod._rod for rod in self.rods]))
-        if all(map(operator.is_, rods, self.rods)):
+        given = [rod._compiled for rod in self.rods]
+        rods = _on_grid(self.rods, self._compiled.climbing_rods(given))
+        if rods is self.rods:
             return self
-        loads = [stepwise_load(load, self.rods) for load in self.loads]
-        made = Scene(rods, self.supports, loads, self.space, self.joints)
-        made.__dict__["_climbing"] = made
+        made, loads = object.__new__(Scene), self._loads_on_any_grid()
+        parts = {"rods": rods, "supports": self.supports, "loads": loads, "joints": self.joints}
+        made.__dict__.update(parts, space=self.space, _climbing=made)
         return made
 
-    def _vertex(self, at: Place) -> tuple[int, int]:
-        """The number of the rod, and of its vertex nearest to a place."""
-        return self._core.vertex(at)
-
-    @property
-    def _chooses_edges(self) -> bool:
-        """Whether a rod leaves its edges to the solver."""
-        return any(rod._breaks is not None for rod in self.rods)
+    def _loads_on_any_grid(self) -> tuple[Load, ...]:
+        return tuple(stepwise_load(load, self.rods) for load in self.loads)
 
     def __getstate__(self) -> dict[str, Any]:
         """Functions of arc length are pickled as the values they had on the edges."""
@@ -139,26 +129,23 @@ class Scene(Immutable):
             return False
         (support,) = self.supports
         clamped = isinstance(support, Clamp) and support.turns == 0
-        at_start = clamped and self._core.vertex(support.at) == (0, 0)
+        at_start = clamped and self._compiled.vertex(support.at) == (0, 0)
         return at_start and not any(load.follower for load in self.loads)
 
     @property
     def clamp_position(self) -> Array:
         """(3,) where the first support holds its point."""
-        return self._held(0)[0]
+        return self._compiled.held(0)[0]
 
     @property
     def clamp_frame(self) -> Array:
         """(4,) frame in which the first support holds its cross-section."""
-        return self._held(0)[1]
+        return self._compiled.held(0)[1]
 
     @property
     def plane(self) -> tuple[Array, Array]:
         """Origin and frame of the plane of a planar scene, spanned by the frame's a1 and a3."""
-        return sealed(self._core.plane)
-
-    def _held(self, number: int) -> tuple[Array, Array]:
-        return sealed(self._core.held(number))
+        return self._compiled.plane
 
     @borrowed("pyrod.files:save")
     def save(self, path: str | Path, **options: Any) -> None:
@@ -182,18 +169,19 @@ def _counted(names: list[str]) -> str:
     )
 
 
-def _tuple(items: Any, kinds: Any, name: str) -> tuple[Any, ...]:
-    one = isinstance(items, kinds) or not isinstance(items, Iterable)
-    items = (items,) if one else tuple(items)
+def _tuple(items: Any, kind: type, name: str) -> tuple[Any, ...]:
+    if type(items) is not tuple:
+        one = isinstance(items, kind) or not isinstance(items, Iterable)
+        items = (items,) if one else tuple(items)
     for item in items:
-        if not isinstance(item, kinds):
+        if not isinstance(item, kind):
             raise TypeError(f"{name}: cannot use a {type(item).__name__}{_belonging(item)}")
     return items
 
 
 def _belonging(item: Any) -> str:
     """Where a thing belongs that was given for another argument."""
-    kinds = {"rods": Rod, "supports": Support, "loads": Load.__args__, "joints": Joint}  # type: ignore[attr-defined]
+    kinds = {"rods": Rod, "supports": Support, "loads": Load, "joints": Joint}
     for name, kind in kinds.items():
         if isinstance(item, kind):
             return (
@@ -215,17 +203,9 @@ def checked_scene(scene: Any) -> Scene:
     raise TypeError(f"scene: expected a Scene, got a {type(scene).__name__}{hint}")
 
 
-def on_its_grid(scene: Scene) -> Scene:
-    """The scene on the edges that it has: none are left to the solver."""
-    return rebuilt(scene, tuple(rod._refined(0) for rod in scene.rods), scene.space)
-
-
-def rebuilt(scene: Scene, rods: tuple[Rod, ...], space: Space) -> Scene:
-    """The scene with other rods of the same shapes, in a space."""
-    return Scene(rods, scene.supports, scene.loads, space, scene.joints)
-
-
 def _on_grid(rods: tuple[Rod, ...], made: list[_core.Rod | None]) -> tuple[Rod, ...]:
     """The rods, those that the compiled scene gave more vertices as these are."""
+    if made.count(None) == len(made):
+        return rods
     pairs = zip(rods, made, strict=True)
-    return tuple(rod if now is None else rod._with(now) for rod, now in pairs)
+    return tuple(rod if now is None else rod_of(now, rod._law, rod.placement) for rod, now in pairs)

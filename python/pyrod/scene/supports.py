@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from math import isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import number
-from pyrod.base.immutable import Array, Immutable, frozen, vector
+from pyrod.base.arrays import not_negative, number
+from pyrod.base.immutable import Array, frozen, vector
 from pyrod.rod.place import Place, checked
-from pyrod.rotation import frame_along, rotate, unit_frame
+from pyrod.rotation import frame_along, unit_frame
+from pyrod.scene.part import Part
 
-FREE = np.eye(3)
-HELD = np.zeros((0, 3))
 MOST_TURNS = 10**6
 
 
 @dataclass(frozen=True, eq=False, init=False)
-class Support(Immutable):
+class Support(Part):
     """Base of all supports: a place, and where its point and its frame are held."""
 
     position: Array | None
@@ -45,18 +43,6 @@ class Support(Immutable):
             frame=placed_frame(frame, tangent, normal),
             at=checked(at),
         )
-
-    def _free(self, frame: Array) -> Array:
-        """(k, 3) directions in which the point may move."""
-        return HELD
-
-    def _turns(self, frame: Array) -> Array:
-        """(k, 3) material axes about which the cross-section may turn."""
-        return HELD
-
-    @cached_property
-    def _compiled(self) -> Any:
-        raise NotImplementedError
 
 
 def placed_frame(
@@ -91,6 +77,7 @@ class Clamp(Support):
     """
 
     turns: int
+    _kind = _core.Clamp
 
     def __init__(
         self,
@@ -105,10 +92,6 @@ class Clamp(Support):
         super().__init__(position, frame, tangent=tangent, normal=normal, at=at)
         self._set(turns=whole_turns(turns))
 
-    @cached_property
-    def _compiled(self) -> _core.Clamp:
-        return _core.Clamp(self.position, self.frame, self.at, self.turns)
-
 
 @dataclass(frozen=True, eq=False, init=False)
 class Hinge(Support):
@@ -120,16 +103,10 @@ class Hinge(Support):
     """
 
     holds_frame = False
+    _kind = _core.Hinge
 
     def __init__(self, position: ArrayLike | None = None, *, at: Place = "start") -> None:
         super().__init__(position, at=at)
-
-    @cached_property
-    def _compiled(self) -> _core.Hinge:
-        return _core.Hinge(self.position, self.at)
-
-    def _turns(self, frame: Array) -> Array:
-        return FREE
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -149,6 +126,7 @@ class Slider(Support):
     along: Array | None
     normal: Array | None
     clamped: bool
+    _kind = _core.Slider
 
     def __init__(
         self,
@@ -169,21 +147,10 @@ class Slider(Support):
             clamped=clamped or frame is not None,
         )
 
-    @cached_property
-    def _compiled(self) -> _core.Slider:
-        held = self.position, self.frame, self.clamped
-        return _core.Slider(self.along, self.normal, *held, self.at)
-
     @property
     def holds_frame(self) -> bool:  # type: ignore[override]
         """Whether the frame is held as well."""
         return self.clamped
-
-    def _free(self, frame: Array) -> Array:
-        return self.along[None] if self.along is not None else _across(self.normal)
-
-    def _turns(self, frame: Array) -> Array:
-        return HELD if self.clamped else FREE
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -193,12 +160,7 @@ class Sleeve(Support):
     position, frame or tangent and normal, at : as for `Clamp`.
     """
 
-    @cached_property
-    def _compiled(self) -> _core.Sleeve:
-        return _core.Sleeve(self.position, self.frame, self.at)
-
-    def _free(self, frame: Array) -> Array:
-        return rotate(frame, np.array([[0.0, 0.0, 1.0]]))
+    _kind = _core.Sleeve
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -214,6 +176,7 @@ class Pivot(Support):
 
     axis: Array
     along: Array | None
+    _kind = _core.Pivot
 
     def __init__(
         self,
@@ -226,16 +189,6 @@ class Pivot(Support):
     ) -> None:
         super().__init__(position, frame, at=at)
         self._set(axis=unit(axis, "axis"), along=unit(along, "along"))
-
-    @cached_property
-    def _compiled(self) -> _core.Pivot:
-        return _core.Pivot(self.axis, self.position, self.frame, self.at, self.along)
-
-    def _free(self, frame: Array) -> Array:
-        return HELD if self.along is None else self.along[None]
-
-    def _turns(self, frame: Array) -> Array:
-        return rotate(frame * np.array([1.0, -1.0, -1.0, -1.0]), self.axis)[None]
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -251,6 +204,7 @@ class Spring(Support):
 
     stiffness: float
     torsion: float
+    _kind = _core.Spring
 
     def __init__(
         self,
@@ -262,31 +216,21 @@ class Spring(Support):
         at: Place = "end",
     ) -> None:
         super().__init__(position, frame, at=at)
-        stiffness, torsion = number(stiffness, "stiffness"), number(torsion, "torsion")
-        for name, value in (("stiffness", stiffness), ("torsion", torsion)):
-            if not (np.isfinite(value) and value >= 0):
-                raise ValueError(f"{name}: must be finite and not negative, got {value}")
-        self._set(stiffness=stiffness, torsion=torsion)
-
-    @cached_property
-    def _compiled(self) -> _core.Spring:
-        return _core.Spring(self.stiffness, self.torsion, self.position, self.frame, self.at)
+        self._set(
+            stiffness=not_negative(stiffness, "stiffness"), torsion=not_negative(torsion, "torsion")
+        )
 
     @property
     def holds_frame(self) -> bool:  # type: ignore[override]
         """Whether there is a torsional spring."""
         return self.torsion > 0
 
-    def _free(self, frame: Array) -> Array:
-        return FREE
-
-    def _turns(self, frame: Array) -> Array:
-        return FREE
-
 
 def whole_turns(turns: float) -> int:
+    if type(turns) is int and abs(turns) <= MOST_TURNS:
+        return turns
     value = number(turns, "turns")
-    if not (np.isfinite(value) and value == int(value)):
+    if not (isfinite(value) and value == int(value)):
         raise ValueError(f"turns: must be a whole number, got {turns}; fractions are the frame's")
     if abs(value) > MOST_TURNS:
         raise ValueError(f"turns: must be at most {MOST_TURNS:g}, got {turns}")
@@ -303,11 +247,3 @@ def unit(values: ArrayLike | None, name: str) -> Array | None:
         return v  # to the last bit, so that what is written and read again is the same
     v = v / np.abs(v).max()
     return frozen(v / np.linalg.norm(v))
-
-
-def _across(n: Array | None) -> Array:
-    """Two unit vectors across a direction."""
-    assert n is not None
-    a = np.cross(n, np.eye(3)[np.argmin(np.abs(n))])
-    a /= np.linalg.norm(a)
-    return np.array([a, np.cross(n, a)])

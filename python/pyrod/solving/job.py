@@ -8,10 +8,14 @@ from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod._core import Options
+from pyrod.base.immutable import lazily
 from pyrod.result.accuracy import accuracy_of, checked_tolerance
 from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
+from pyrod.rod.rod import Rod
 from pyrod.rotation import as_frames
 from pyrod.scene.scene import Scene
+
+DEFAULTS = Options()
 
 
 class How(NamedTuple):
@@ -24,7 +28,7 @@ class How(NamedTuple):
 
     def checked(self) -> How:
         """The same; refuses a tolerance that is none."""
-        return self._replace(tol=checked_tolerance(self.tol))
+        return self if self.tol is None else self._replace(tol=checked_tolerance(self.tol))
 
 
 def start_of(start: Equilibrium | ArrayLike | None, scene: Scene) -> Any:
@@ -52,16 +56,21 @@ def equilibrium_of(
     scene: Scene, found: _core.Equilibrium, how: How, time: float, choice: str | None = None
 ) -> Equilibrium:
     """What was found."""
-    accuracy = accuracy_of(found.accuracy, found.neutral)
-    if accuracy is not None:
-        scene = scene._climbing
-    return Equilibrium._of(
+    accuracy = None
+    if (told := found.accuracy) is not None:
+        scene, accuracy = scene._climbing, accuracy_of(told, found.neutral)
+    return lazily(
+        Equilibrium,
         found,
         scene=scene,
-        rods=tuple(map(RodEquilibrium._of, scene.rods, found.rods)),
+        rods=tuple(map(_rod_equilibrium, scene.rods, found.rods)),
         reactions=tuple(Reaction(*reaction) for reaction in found.reactions),
         time=time,
         lowest_eigenvalue=found.lowest_eigenvalue if how.eigenvalue else None,
         accuracy=accuracy,
         choice=choice,
     )
+
+
+def _rod_equilibrium(rod: Rod, found: _core.RodSolution) -> RodEquilibrium:
+    return lazily(RodEquilibrium, found, rod=rod)

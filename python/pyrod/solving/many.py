@@ -9,11 +9,11 @@ from typing import Any
 import pyrod._core as _core
 from pyrod._core import Options
 from pyrod.base.arrays import whole
-from pyrod.base.progress import Progress, shown
+from pyrod.base.progress import Progress, progress_shown
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
 from pyrod.scene.scene import Scene, checked_scene
-from pyrod.solving.job import How, equilibrium_of, start_of
+from pyrod.solving.job import DEFAULTS, How, equilibrium_of, start_of
 from pyrod.solving.run import judge
 
 
@@ -54,12 +54,12 @@ def solve_many(
     starts = [None] * len(scenes) if starts is None else list(starts)
     if len(starts) != len(scenes):
         raise ValueError(f"starts: expected {len(scenes)}, one per scene, got {len(starts)}")
-    how = How(options or Options(), stable, eigenvalue, tol).checked()
+    how = How(options or DEFAULTS, stable, eigenvalue, tol).checked()
     began = perf_counter()
     known = [_start(i, *pair) for i, pair in enumerate(zip(starts, scenes, strict=True))]
-    with shown(progress, len(scenes), "scenes") as show:
+    with progress_shown(progress, len(scenes), "scenes") as show:
         found = _core.solve_all(
-            [scene._core for scene in scenes],
+            [scene._compiled for scene in scenes],
             known,
             how.options,
             how.tol,

@@ -12,7 +12,7 @@ from pyrod._core import Options
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.scene.scene import Scene
-from pyrod.solving.job import How, equilibrium_of, start_of
+from pyrod.solving.job import DEFAULTS, How, equilibrium_of, start_of
 
 DOUBTS = {"unstable": UnstableWarning, "accuracy": AccuracyWarning, "strain": StrainWarning}
 """The warnings of what a user should know before trusting an equilibrium."""
@@ -27,12 +27,12 @@ def solved(
     stable: bool = True,
 ) -> Equilibrium:
     """As `pyrod.solve`, which can do more."""
-    result = run(scene, How(options or Options(), stable, False, None), start)
+    result = unjudged(scene, How(options or DEFAULTS, stable, False, None), start)
     judge(result, strict)
     return result
 
 
-def run(
+def unjudged(
     scene: Scene,
     how: How,
     start: Equilibrium | ArrayLike | None = None,
@@ -46,7 +46,7 @@ def run(
     options, stable, eigenvalue, tol = how
     grids = getattr(trace, "reached", None)
     known = start_of(start, scene)
-    source = scene._core.solve(known, options, tol, stable, eigenvalue, trace, grids)
+    source = scene._compiled.solve(known, options, tol, stable, eigenvalue, trace, grids)
     return equilibrium_of(scene, source, how, perf_counter() - began, choice)
 
 
@@ -71,7 +71,7 @@ def warn_of(result: Equilibrium, stacklevel: int) -> None:
 
 def doubts(result: Equilibrium) -> Iterator[tuple[type[Warning], str]]:
     """What a user should know before trusting an equilibrium that was just found."""
-    return ((DOUBTS[kind], words) for kind, words in result._source.doubts)
+    return ((DOUBTS[kind], words) for kind, words in result._compiled.doubts)
 
 
 def print_iteration(energy: float, residual: float, step: float, part: float, shift: float) -> None:

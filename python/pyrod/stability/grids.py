@@ -9,8 +9,7 @@ from pyrod._core import Options
 from pyrod.base.immutable import Array
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.rotation import as_frames
-from pyrod.scene.loads import any_function
-from pyrod.scene.scene import Scene, on_its_grid
+from pyrod.scene.scene import Scene
 from pyrod.stability.path import Path
 from pyrod.stability.reach import Reach
 from pyrod.stability.state import Loss, halved
@@ -30,8 +29,8 @@ class Grids:
         start: Equilibrium | ArrayLike | None,
     ) -> None:
         self._scene = scene._climbing
-        self.first = on_its_grid(self._scene)  #: the scene on its own edges
-        self._start = None if start is None else scene._core.on_climbing_edges(_frames(start))
+        self.first = self._scene.refined(0)  #: the scene on its own edges
+        self._start = None if start is None else scene._compiled.on_climbing_edges(_frames(start))
         self._more = growing, options
         self._paths: list[Path] = []
 
@@ -41,7 +40,7 @@ class Grids:
             self._paths.append(Path(self.first, *self._more, self._start))
         while len(self._paths) <= level:
             before = halved(self._paths[-1].start.result)
-            grid = self._scene._refined(len(self._paths))
+            grid = self._scene.refined(len(self._paths))
             self._paths.append(Path(grid, *self._more, before))
         return self._paths[level]
 
@@ -67,8 +66,8 @@ class Grids:
         return losses
 
     def _has_functions(self) -> bool:
-        laws = [rod._law for rod in self._scene.rods]
-        return any_function(self._scene.loads) or any(law.asks for law in laws)  # type: ignore[union-attr]
+        functions = (callable(load.acting) for load in self._scene.loads)
+        return any(functions) or self.first._compiled.rods_are_asked
 
 
 def _refuse_different(losses: list[Loss]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf, nan
 
 from pyrod._core import Options
@@ -9,10 +10,10 @@ from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
-from pyrod.scene.loads import sampled_load, scaled_load
+from pyrod.scene.loads import sampled_load
 from pyrod.scene.scene import Scene
 from pyrod.solving.job import How
-from pyrod.solving.run import run
+from pyrod.solving.run import unjudged
 from pyrod.stability.fold import fold_of
 from pyrod.stability.reach import Reach
 from pyrod.stability.state import Loss, State, halved, turn_between
@@ -62,17 +63,16 @@ class Path:
 
     def scene(self, factor: float) -> Scene:
         """The scene under these loads."""
-        loads = [
-            scaled_load(load, factor) if i in self._growing else load
+        loads = tuple(
+            load.with_acting(factor * load.acting) if i in self._growing else load
             for i, load in enumerate(self._loads)
-        ]
-        s = self._scene
-        return Scene(s.rods, s.supports, loads, s.space, s.joints)
+        )
+        return replace(self._scene, loads=loads)
 
     def solved(self, factor: float, start: Equilibrium | Array | None) -> Equilibrium:
         """The equilibrium to which Newton's method leads from another."""
         how = How(self._options, stable=False, eigenvalue=True, tol=None)
-        result = run(self.scene(factor), how, start)
+        result = unjudged(self.scene(factor), how, start)
         if not result.converged:
             raise NotConverged(result)
         return result

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
+from dataclasses import replace
 from math import inf, pi
 
 import numpy as np
@@ -79,15 +80,15 @@ def _is_absurd(result: Equilibrium) -> bool:
 def _size_of(scene: Scene, growing: frozenset[int]) -> float:
     """The sum of the loads that grow, as forces."""
     length = max(rod.length for rod in scene.rods)
-    loads = [load for number, load in enumerate(scene.loads) if number in growing]
-    growing_ones = Scene(scene.rods, scene.supports, loads, scene.space, scene.joints)._core
-    size = sum(_size(growing_ones.dead_loads(i), length) for i in range(len(scene.rods)))
+    loads = tuple(load for number, load in enumerate(scene.loads) if number in growing)
+    compiled = replace(scene, loads=loads)._compiled
+    size = sum(_sum_of(compiled.dead_loads(i), length) for i in range(len(scene.rods)))
     if size == 0:
         raise ValueError("loads: all that are to grow are zero")
     return size
 
 
-def _size(dead: tuple[Array, ...], length: float) -> float:
+def _sum_of(dead: tuple[Array, ...], length: float) -> float:
     """Of forces on the vertices, and of moments on the edges and both ends."""
     forces, *moments = (np.linalg.norm(values, axis=-1).sum() for values in dead)
     return float(forces + sum(moments) / length)

@@ -55,18 +55,18 @@ def cases_of(parameters: Parameters) -> Cases:
 
 
 def _grid(parameters: Mapping[str, Iterable[Any]]) -> Cases:
-    names = _names(parameters)
-    axes = tuple(_values(name, values) for name, values in parameters.items())
+    names = _parameter_names(parameters)
+    axes = tuple(_checked_values(name, values) for name, values in parameters.items())
     if prod(map(len, axes)) == 0:
         empty = names[[len(axis) for axis in axes].index(0)]
         raise ValueError(f"parameters: {empty!r} has no values")
     return Cases(names, axes, list(product(*axes)))
 
 
-def _values(name: str, values: Any) -> tuple[Any, ...]:
+def _checked_values(name: str, values: Any) -> tuple[Any, ...]:
     if isinstance(values, str) or not isinstance(values, Iterable):
         raise TypeError(f"parameters: {name!r} needs a list of values, got {values!r}")
-    return tuple(map(_plain, values))
+    return tuple(map(_unboxed, values))
 
 
 def _list(parameters: Any) -> Cases:
@@ -86,11 +86,11 @@ def _list(parameters: Any) -> Cases:
             raise ValueError(
                 f"parameters: case {number} has {sorted(one)}, but case 0 {sorted(listed[0])}"
             )
-    names = _names(listed[0])
-    return Cases(names, None, [tuple(_plain(one[name]) for name in names) for one in listed])
+    names = _parameter_names(listed[0])
+    return Cases(names, None, [tuple(_unboxed(one[name]) for name in names) for one in listed])
 
 
-def _names(parameters: Mapping[str, Any]) -> tuple[str, ...]:
+def _parameter_names(parameters: Mapping[str, Any]) -> tuple[str, ...]:
     names = tuple(parameters)
     if not names:
         raise ValueError("parameters: there is none")
@@ -102,6 +102,6 @@ def _names(parameters: Mapping[str, Any]) -> tuple[str, ...]:
     return names
 
 
-def _plain(value: Any) -> Any:
+def _unboxed(value: Any) -> Any:
     """Python's own number, where NumPy has made it its own."""
     return value.item() if isinstance(value, np.generic) else value

@@ -47,10 +47,10 @@ def plain(values: Any, arguments: Mapping[str, Any]) -> dict[str, Any]:
             raise TypeError(f"measure: names are strings, got {name!r}")
         if name in RESERVED or name in arguments:
             raise ValueError(f"measure: {name!r} is another column already, use another name")
-    return {name: _plain(name, value) for name, value in values.items()}
+    return {name: _storable(name, value) for name, value in values.items()}
 
 
-def _plain(name: str, value: Any) -> Any:
+def _storable(name: str, value: Any) -> Any:
     if isinstance(value, str):
         return value
     array = np.array(value)

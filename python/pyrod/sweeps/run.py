@@ -9,7 +9,7 @@ from time import perf_counter
 from typing import Any, Literal, get_args
 
 from pyrod._core import Options
-from pyrod.base.progress import Progress, shown
+from pyrod.base.progress import Progress, progress_shown
 from pyrod.result.accuracy import checked_tolerance
 from pyrod.rod.section import Model
 from pyrod.solving.job import How
@@ -18,7 +18,7 @@ from pyrod.sweeps.cases import Cases, Parameters, cases_of
 from pyrod.sweeps.measures import Measuring, summary
 from pyrod.sweeps.spread import done
 from pyrod.sweeps.store import Store, identity
-from pyrod.sweeps.table import Sweep
+from pyrod.sweeps.table import Sweep, sweep_of
 from pyrod.sweeps.work import Numbered, Record, Work
 
 
@@ -91,9 +91,9 @@ def sweep(
     kept = None if store is None else Store(store, identity(cases, work, start))
     records = _standing(kept, retry_failed)
     failed = sum(bool(record.error) for record in records.values())
-    lines = _lines(cases, records, follow=start is not None)
+    lines = _missing_lines(cases, records, follow=start is not None)
     with (
-        shown(progress, len(cases.rows), "cases", len(records)) as show,
+        progress_shown(progress, len(cases.rows), "cases", len(records)) as show,
         closing(done(work, lines, executor)) as chunks,
     ):
         for chunk in chunks:
@@ -103,7 +103,7 @@ def sweep(
             failed += sum(bool(record.error) for record in chunk)
             if show is not None:
                 show(len(records), failed)
-    return Sweep._of(cases, records, keep_results, perf_counter() - began)
+    return sweep_of(cases, records, keep_results, perf_counter() - began)
 
 
 def _standing(store: Store | None, retry_failed: bool) -> dict[int, Record]:
@@ -117,7 +117,7 @@ def _standing(store: Store | None, retry_failed: bool) -> dict[int, Record]:
     }
 
 
-def _lines(cases: Cases, known: Mapping[int, Record], follow: bool) -> list[list[Numbered]]:
+def _missing_lines(cases: Cases, known: Mapping[int, Record], follow: bool) -> list[list[Numbered]]:
     """What is to be done: cases that follow one another, whole lines of them."""
     length = cases.line if follow else 1
     starts = range(0, len(cases.rows), length)

@@ -45,20 +45,6 @@ class Sweep(Immutable):
     results: tuple[Equilibrium | None, ...] | None  #: per case, if they were kept
     elapsed: float = field(compare=False)  #: time that it took, without what was stored before [s]
 
-    @classmethod
-    def _of(cls, cases: Cases, records: Mapping[int, Record], keep: bool, elapsed: float) -> Sweep:
-        ordered = [records[case] for case in range(len(cases.rows))]
-        listed = tuple(zip(*cases.rows, strict=True))
-        columns = {n: _column(values) for n, values in zip(cases.names, listed, strict=True)}
-        known = [record.values or {} for record in ordered]
-        for name in dict.fromkeys(name for values in known for name in values):
-            columns[name] = _column(_filled([values.get(name) for values in known]))
-        for name in ("time", "warnings", "error"):
-            columns[name] = _column([getattr(record, name) for record in ordered])
-        results = tuple(record.result for record in ordered) if keep else None
-        parameters = dict(zip(cases.names, cases.axes or listed, strict=True))
-        return cls(parameters, cases.axes is not None, sealed(columns), results, elapsed)
-
     @property
     def shape(self) -> tuple[int, ...]:
         """Of the grid; or (cases,)."""
@@ -140,6 +126,21 @@ class Sweep(Immutable):
             count = np.count_nonzero(self.columns[name] != "")
             parts += [f"{count} {word}"] if count else []
         return f"Sweep({', '.join(parts)}, {self.elapsed:.2g} s)"
+
+
+def sweep_of(cases: Cases, records: Mapping[int, Record], keep: bool, elapsed: float) -> Sweep:
+    """The table of cases that were solved."""
+    ordered = [records[case] for case in range(len(cases.rows))]
+    listed = tuple(zip(*cases.rows, strict=True))
+    columns = {n: _column(values) for n, values in zip(cases.names, listed, strict=True)}
+    known = [record.values or {} for record in ordered]
+    for name in dict.fromkeys(name for values in known for name in values):
+        columns[name] = _column(_filled([values.get(name) for values in known]))
+    for name in ("time", "warnings", "error"):
+        columns[name] = _column([getattr(record, name) for record in ordered])
+    results = tuple(record.result for record in ordered) if keep else None
+    parameters = dict(zip(cases.names, cases.axes or listed, strict=True))
+    return Sweep(parameters, cases.axes is not None, sealed(columns), results, elapsed)
 
 
 def check_table(path: str | PathLike[str]) -> None:

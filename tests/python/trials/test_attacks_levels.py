@@ -66,10 +66,10 @@ def test_a_spring_beside_a_load_that_jumps(at: float) -> None:
 
 def check_levels(scene: Scene, deepest: int) -> None:
     """Every level has the edges of level 0, cut, and its nodes on the same vertices."""
-    edges, attached, _ = scene._core.level(0)
+    edges, attached, _ = scene._compiled.level(0)
     assert edges == [rod.edges for rod in scene._climbing.rods]
     for level in range(1, deepest + 1):
-        finer, there, _ = scene._core.level(level)
+        finer, there, _ = scene._compiled.level(level)
         assert finer == [count << level for count in edges]
         assert there == [(rod, vertex << level) for rod, vertex in attached]
 
@@ -82,7 +82,7 @@ def test_point_loads_are_on_one_vertex_of_every_level(n: int | None) -> None:
         scene = Scene(Rod.straight(1.0, n, ROUND), Clamp(), loads)
         vertex = int(np.abs(scene._climbing.rod.arc_lengths - at).argmin())
         for level in (0, 1, 5, 12):
-            force, moment, *_ = scene._core.level(level)[2][0]
+            force, moment, *_ = scene._compiled.level(level)[2][0]
             assert np.flatnonzero(force.any(axis=1)).tolist() == [vertex << level]
             assert np.array_equal(force[vertex << level], (1, 2, 3))
             beside = np.flatnonzero(moment.any(axis=1)).tolist()

@@ -95,7 +95,7 @@ def test_of_many_rods_the_largest() -> None:
 
 
 def test_all_who_tell_the_largest_tell_the_same() -> None:
-    from pyrod.cli.summary import summary
+    from pyrod.cli.summary import in_numbers as summary
 
     result = pyrod.solve(arch(), tol=1e-6)
     assert summary(result)["largest_curvature"] == [result.largest_K]

@@ -578,13 +578,13 @@ def test_a_default_start_stays_where_it_is(order: int) -> None:
 def test_a_hinge_without_a_place_before_the_clamp_stays() -> None:
     rod = Rod.straight(1.0, 16, SHEARED)
     scene = Scene(rod, [pyrod.Hinge(), pyrod.Clamp((0, 0, 0.95), at="end")])
-    assert scene._held(0)[0] == pytest.approx([0, 0, 0])
-    assert scene._held(1)[1] == pytest.approx([1, 0, 0, 0])
+    assert scene._compiled.held(0)[0] == pytest.approx([0, 0, 0])
+    assert scene._compiled.held(1)[1] == pytest.approx([1, 0, 0, 0])
 
 
 def test_other_rods_stay_where_they_are() -> None:
     rods = [ROD, ROD.placed((1, 0, 0))]
     clamps = [ALONG_X, pyrod.Clamp(at=(1, "start")), pyrod.Hinge(at=(1, "end"))]
     scene = Scene(rods, clamps)
-    assert scene._held(1)[0] == pytest.approx([1, 0, 0])
-    assert scene._held(2)[0] == pytest.approx([1, 0, 1])
+    assert scene._compiled.held(1)[0] == pytest.approx([1, 0, 0])
+    assert scene._compiled.held(2)[0] == pytest.approx([1, 0, 1])

@@ -55,7 +55,7 @@ def test_unloaded_it_is_where_its_points_are(points: Array, tol: float | None) -
 def test_every_level_has_the_points(points: Array) -> None:
     scene = Scene(polygon(points), [Clamp(), Spring(1.0, at=1.234)])
     for level in (1, 3):
-        fine = scene._climbing._refined(level).rod
+        fine = scene._climbing.refined(level).rod
         r, _ = fine.at_rest()
         at = np.searchsorted(scene.rod.arc_lengths, 1.234)
         assert np.isclose(scene.rod.arc_lengths[at], 1.234)

@@ -2,10 +2,12 @@
 /// \file What joins rods to each other, and the ends of one rod to a ring.
 #pragma once
 
+#include <pyrod/core/field.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/scene/place.hpp>
 
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace pyrod {
@@ -23,6 +25,12 @@ struct Joint {
   /// rigid joint are not in one place at rest.
   std::optional<bool> aligned = {};
   std::optional<Vec3> axis = {};  ///< of a hinge, in space where the rods are at rest
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"points", &Joint::points}, Field{"kind", &Joint::kind},
+                      Field{"turns", &Joint::turns}, Field{"aligned", &Joint::aligned},
+                      Field{"axis", &Joint::axis}};
+  }
 };
 
 }  // namespace pyrod

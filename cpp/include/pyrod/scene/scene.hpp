@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace pyrod {
@@ -54,29 +53,13 @@ struct Scene {
     for (const auto& joint : joints)
       for (const auto& place : joint.points) check(place.rod, "at");
     for (const auto& load : loads)
-      std::visit(
-          [&](const auto& l) {
-            if constexpr (requires { l.at; })
-              check(l.at.rod, "at");
-            else if constexpr (requires { l.rod; })
-              check(l.rod, "rod");
-          },
-          load);
+      if (const auto rod = rod_of(load)) check(*rod, point_of(load) ? "at" : "rod");
   }
 
   bool chooses_edges() const {
     return std::ranges::any_of(rods, [](const auto& rod) { return rod.chooses; });
   }
-  bool has_followers() const {
-    return std::ranges::any_of(loads, [](const Load& load) {
-      return std::visit(
-          [](const auto& l) {
-            if constexpr (requires { l.follower; }) return l.follower;
-            return false;
-          },
-          load);
-    });
-  }
+  bool has_followers() const { return std::ranges::any_of(loads, follows); }
 };
 
 }  // namespace pyrod

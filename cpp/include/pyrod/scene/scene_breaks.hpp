@@ -94,12 +94,10 @@ class BreakFinder {
   }
 
   void look(const std::vector<Load>& loads) {
-    for (std::size_t i = 0; i < loads.size(); ++i) {
-      if (const auto* along = std::get_if<DistributedForce>(&loads[i]))
-        look(along->force_per_length, along->rod, text("load ", i));
-      if (const auto* along = std::get_if<DistributedMoment>(&loads[i]))
-        look(along->moment_per_length, along->rod, text("load ", i));
-    }
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      visit_along(loads[i], [&](const Along<Vec3>& along, int rod, const char*) {
+        look(along, rod, text("load ", i));
+      });
   }
 
   const Smoothness& smoothness() const { return smooth_; }

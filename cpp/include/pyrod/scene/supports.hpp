@@ -2,6 +2,7 @@
 /// \file What holds rods. Positions and frames that are not told are those at rest.
 #pragma once
 
+#include <pyrod/core/field.hpp>
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/frame_along.hpp>
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -22,12 +24,23 @@ struct Clamp {
   std::optional<Quaternion> frame = {};
   Place at = End::start;
   int turns = 0;  ///< full turns about a3 put into the rod since the support before
+
+  static constexpr const char* kind = "Clamp";
+  static constexpr auto fields() {
+    return std::tuple{Field{"position", &Clamp::position}, Field{"frame", &Clamp::frame},
+                      Field{"at", &Clamp::at}, Field{"turns", &Clamp::turns}};
+  }
 };
 
 /// Holds the position of a point of the rod, which may turn in every way.
 struct Hinge {
   std::optional<Vec3> position = {};
   Place at = End::start;
+
+  static constexpr const char* kind = "Hinge";
+  static constexpr auto fields() {
+    return std::tuple{Field{"position", &Hinge::position}, Field{"at", &Hinge::at}};
+  }
 };
 
 /// Lets a point slide along a line, or in the plane across `normal`; one of them is given. The rod
@@ -38,6 +51,13 @@ struct Slider {
   std::optional<Quaternion> frame = {};
   bool clamped = false;
   Place at = End::end;
+
+  static constexpr const char* kind = "Slider";
+  static constexpr auto fields() {
+    return std::tuple{Field{"along", &Slider::along},       Field{"normal", &Slider::normal},
+                      Field{"position", &Slider::position}, Field{"frame", &Slider::frame},
+                      Field{"clamped", &Slider::clamped},   Field{"at", &Slider::at}};
+  }
 };
 
 /// Holds the frame of a cross-section, which may slide along its a3.
@@ -45,6 +65,12 @@ struct Sleeve {
   std::optional<Vec3> position = {};
   std::optional<Quaternion> frame = {};
   Place at = End::start;
+
+  static constexpr const char* kind = "Sleeve";
+  static constexpr auto fields() {
+    return std::tuple{Field{"position", &Sleeve::position}, Field{"frame", &Sleeve::frame},
+                      Field{"at", &Sleeve::at}};
+  }
 };
 
 /// Holds a position, and lets the cross-section turn about one axis only; `along`: the pin may
@@ -55,6 +81,13 @@ struct Pivot {
   std::optional<Quaternion> frame = {};  ///< before it turns
   Place at = End::start;
   std::optional<Vec3> along = {};
+
+  static constexpr const char* kind = "Pivot";
+  static constexpr auto fields() {
+    return std::tuple{Field{"axis", &Pivot::axis}, Field{"position", &Pivot::position},
+                      Field{"frame", &Pivot::frame}, Field{"at", &Pivot::at},
+                      Field{"along", &Pivot::along}};
+  }
 };
 
 /// Draws a point towards a position, and its cross-section towards a frame.
@@ -63,6 +96,13 @@ struct Spring {
   std::optional<Vec3> position = {};
   std::optional<Quaternion> frame = {};
   Place at = End::end;
+
+  static constexpr const char* kind = "Spring";
+  static constexpr auto fields() {
+    return std::tuple{Field{"stiffness", &Spring::stiffness}, Field{"torsion", &Spring::torsion},
+                      Field{"position", &Spring::position}, Field{"frame", &Spring::frame},
+                      Field{"at", &Spring::at}};
+  }
 };
 
 using Support = std::variant<Clamp, Hinge, Slider, Sleeve, Pivot, Spring>;
@@ -122,6 +162,9 @@ inline std::optional<Quaternion> frame_of(const Support& support) {
         return std::nullopt;
       },
       support);
+}
+inline const char* kind_of(const Support& support) {
+  return std::visit([](const auto& s) { return s.kind; }, support);
 }
 inline Hold hold(const Support& support, const Quaternion& q) {
   return std::visit([&](const auto& s) { return hold(s, q); }, support);

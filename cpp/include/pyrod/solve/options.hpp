@@ -2,18 +2,12 @@
 /// \file What a user may tune in a solve, listed once: bindings and prints are made from `fields`.
 #pragma once
 
+#include <pyrod/core/field.hpp>
 #include <pyrod/core/require.hpp>
 
 #include <tuple>
 
 namespace pyrod {
-
-template <class Owner, class T>
-struct Field {
-  const char* name;
-  T Owner::* member;
-  const char* doc;
-};
 
 struct Options {
   int max_iterations = 100;
