@@ -17,13 +17,14 @@ from pyrod.models.choice import Choice, smallest_model
 from pyrod.models.effects import Effect, effect, out_of_plane_index
 from pyrod.models.solve import solve
 from pyrod.result.accuracy import Accuracy
-from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import (
     AccuracyWarning,
     NotConverged,
     StrainWarning,
     UnstableWarning,
 )
+from pyrod.result.rods import Reaction, RodEquilibrium
 from pyrod.rod.energy import Energy
 from pyrod.rod.outline import Outline
 from pyrod.rod.rod import Rod

@@ -7,6 +7,7 @@ import pytest
 
 import pyrod
 from pyrod.result.fields import KINDS, field, fields
+from pyrod.result.rods import OfTheOnlyRod, RodEquilibrium
 from pyrod.rotation import rotate
 
 ROD = pyrod.Rod.precurved(1.0, 8, pyrod.Section(2.0, 1.0, 1.5, 50.0, 60.0, 70.0), (0.2, 0.4, 1.0))
@@ -56,3 +57,10 @@ def test_magnitudes() -> None:
 def test_an_unknown_quantity_is_refused() -> None:
     with pytest.raises(ValueError, match=r"expected one of s, positions.*got 'colour'"):
         field(ONE, "colour")
+
+
+def test_editors_are_told_what_is_known_of_the_only_rod() -> None:
+    """All that a rod has and an equilibrium has not by itself."""
+    rod = {*RodEquilibrium.__dataclass_fields__, *vars(RodEquilibrium)}
+    own = {*pyrod.Equilibrium.__dataclass_fields__, *vars(pyrod.Equilibrium)}
+    assert {n for n in rod - own if not n.startswith("_")} == {*OfTheOnlyRod.__annotations__}

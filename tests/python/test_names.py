@@ -6,9 +6,17 @@ import ast
 import re
 from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 import pytest
+from support import FLAT, X, Y, Z
+
+import pyrod
+from pyrod import Clamp, DistributedForce, Force, Rod, Scene
+from pyrod.rod.place import Place
+from pyrod.scene.loads import Along, LoadAlong, PointLoad
 
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "python" / "pyrod"
@@ -104,3 +112,53 @@ def test_a_kind_of_load_is_one_idea() -> None:
 def test_a_kind_of_load_is_one_idea_in_cpp(kind: str) -> None:
     sources = [p for p in (ROOT / "cpp").rglob("*.?pp") if re.search(rf"\b{kind}\b", p.read_text())]
     assert [p.name for p in sources] == ["load.hpp"]
+
+
+# A kind of load that nobody has heard of ---------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Push(PointLoad):
+    """On the middle of a rod."""
+
+    force: np.ndarray
+    at: Place = 0.5
+    follower: bool = False
+    _kind = pyrod._core.Force
+
+
+@dataclass(frozen=True, eq=False)
+class Wind(LoadAlong):
+    """Along a rod, as another says."""
+
+    force_per_length: Along
+    rod: int = 0
+    follower: bool = False
+    _kind = pyrod._core.DistributedForce
+
+
+def rising(s: float) -> np.ndarray:
+    return s * X
+
+
+@pytest.mark.parametrize(
+    ("new", "known"),
+    [
+        (Push(X - Z), Force(X - Z, at=0.5)),
+        (Wind(rising), DistributedForce(rising)),
+        (Wind(np.outer(np.arange(8), X)), DistributedForce(np.outer(np.arange(8), X))),
+    ],
+    ids=["on a point", "function", "list"],
+)
+def test_the_rest_knows_new_kinds_of_loads(new: pyrod.scene.Load, known: pyrod.scene.Load) -> None:
+    """Without a tolerance, with one, on cut edges, in the check for a plane."""
+    rod = Rod.straight(1.0, 8, FLAT)
+    for supports in (Clamp(), [Clamp(), pyrod.Spring(5.0, at=0.3)]):
+        ours, theirs = (Scene(rod, supports, load) for load in (new, known))
+        np.testing.assert_array_equal(ours.loads[0].acting, theirs.loads[0].acting)
+        for tol in (None, 1e-4):
+            found, exact = (pyrod.solve(scene, tol=tol).positions for scene in (ours, theirs))
+            np.testing.assert_array_equal(found, exact)
+    assert pyrod.is_planar(Scene(rod, Clamp(), new))
+    aslant = pyrod.is_planar(Scene(rod, Clamp(), [new, Push(Y)]))
+    assert aslant.why == "load 1 (Force) has a component 1 along a2"

@@ -35,6 +35,8 @@ def array(values: ArrayLike, name: str) -> Array:
             f"{name}: expected numbers, in rows of one length, got {_told(values)} of other things "
             "or with rows of several lengths"
         ) from None
+    if made.dtype is _DOUBLE:
+        return made
     if made.dtype.kind == "O" and (made.ndim or isinstance(values, (Real, Decimal))):
         made = _from_objects(made, name)
     if made.dtype.kind not in _REAL:

@@ -19,7 +19,9 @@ LazyKind = TypeVar("LazyKind", bound="Lazy")
 
 def frozen(values: ArrayLike, name: str = "values") -> Array:
     """A read-only array of doubles that shares no memory with ``values``."""
-    made = np.array(array(values, name), order="C")
+    made = array(values, name)
+    if not isinstance(values, (tuple, list)):  # which share no memory anyway
+        made = np.array(made, order="C")
     made.setflags(write=False)
     return made
 

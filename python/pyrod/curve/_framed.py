@@ -11,9 +11,8 @@ from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod.base.arrays import array, number
+from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
-from pyrod.curve._arc import require_closed
-from pyrod.curve._knots import nearest_whole
 from pyrod.curve._polyline import Polyline
 from pyrod.curve._reading import between_vertices, check_count, check_reading, held, signed
 from pyrod.curve._sampling import edge_lengths as lengths_of
@@ -286,34 +285,10 @@ class FramedCurve(Immutable):
         """Total twist, in turns."""
         return float(self.twist_angles.sum() / (2 * np.pi))
 
-    def link(self, threads: int = 0) -> int:
-        """Linking number of a closed ribbon, twist plus writhe (Calugareanu, White, Fuller).
-        O(n^2).
+    @borrowed("pyrod.curve._ribbon:link")
+    def link(self, threads: int = 0) -> int:  # type: ignore[empty-body]
+        """Linking number of a closed ribbon, twist plus writhe (Calugareanu, White, Fuller)."""
 
-        The frames must be adapted: the twist is that about the edges.
-        """
-        require_closed(self.polyline, "link")
-        away = np.abs(rotate(self.frames, [0.0, 0.0, 1.0]) - self.polyline.tangents).max(axis=1)
-        worst = int(np.argmax(away))
-        if away[worst] > 1e-9:
-            raise ValueError(
-                f"frames[{worst}]: a3 is not along the edge; take adapted(), whose frames are"
-            )
-        return nearest_whole(self.twist + self.polyline.writhe(threads))
-
-    def edge(self, distance: float, threads: int = 0) -> Polyline:
-        """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame.
-
-        It winds around a closed curve as often as `link` says if it stays near enough. Raises
-        ``ValueError`` beyond half the `Polyline.self_approach`, where it could pass through another
-        part of the curve. O(n^2).
-        """
-        distance = number(distance, "distance")
-        nearest = self.polyline.self_approach(threads)
-        if not 0 < abs(distance) < nearest.distance / 2:
-            raise ValueError(
-                f"distance: must be less than {nearest.distance / 2:.3g}, half that of the edges "
-                f"{nearest.edge} and {nearest.other}, and not 0; got {distance}"
-            )
-        a1 = rotate(self.vertex_frames, np.array([1.0, 0.0, 0.0]))
-        return Polyline(self.polyline.positions + distance * a1, self.polyline.closed)
+    @borrowed("pyrod.curve._ribbon:edge")
+    def edge(self, distance: float, threads: int = 0) -> Polyline:  # type: ignore[empty-body]
+        """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame."""

@@ -1,14 +1,16 @@
-"""The link of two closed curves."""
+"""How curves wind around each other and themselves, and how near they come."""
 
 from __future__ import annotations
 
 from typing import Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import whole
 from pyrod.curve._arc import require_closed
-from pyrod.curve._knots import nearest_whole
+from pyrod.curve._knots import Approach, nearest_whole
+from pyrod.curve._points import inflections
 from pyrod.curve._polyline import Polyline, as_polyline
 
 
@@ -24,3 +26,38 @@ def linking_number(
     require_closed(a, "linking_number")
     require_closed(b, "linking_number")
     return nearest_whole(a._compiled.gauss_integral(b._compiled, whole(threads, "threads")))
+
+
+def frenet_link(arc: Polyline, threads: int = 0) -> int:
+    """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi.
+
+    Counts the arc's own crossings. Raises ``ValueError`` where the binormal turns by pi within
+    rounding, as at the inflections of a plane curve: there the ribbon has no sides. O(n^2).
+    """
+    require_closed(arc, "frenet_link")
+    at = inflections(arc)
+    if len(at):
+        some = ", ".join(map(str, at[:8])) + (", ..." if len(at) > 8 else "")
+        raise ValueError(
+            f"frenet_link: on the edges {some} the binormal turns by pi within rounding, an "
+            "inflection, where the Frenet ribbon has no link; take writhe, or closed_ribbon"
+        )
+    return nearest_whole(arc.writhe(threads) + arc.dihedral_angles.sum() / (2 * np.pi))
+
+
+def self_approach(arc: Polyline, threads: int = 0) -> Approach:
+    """Smallest distance between two parts of the arc that are not near along it. O(n^2).
+
+    Two edges count if the way between their centres is more than one and a half times as long
+    along the arc as it is straight: on a circle, if they are nearly opposite.
+    """
+    return Approach(*arc._compiled.self_approach(whole(threads, "threads")))
+
+
+def approach(arc: Polyline, other: Union[Polyline, ArrayLike], threads: int = 0) -> Approach:
+    """Smallest distance between an edge of this and an edge of another. O(n m).
+
+    Positions are taken for those of an open one.
+    """
+    them = as_polyline(other, "other", closed=False)._compiled
+    return Approach(*arc._compiled.approach(them, whole(threads, "threads")))

@@ -10,15 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import array, number, precision_of, whole, yes_or_no
+from pyrod.base.arrays import number, precision_of, whole, yes_or_no
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Once, frozen, sealed
 from pyrod.curve._arc import require_closed
-from pyrod.curve._ends import Ends, is_torsion, with_ends
-from pyrod.curve._knots import Approach, nearest_whole
+from pyrod.curve._ends import Ends, with_ends
+from pyrod.curve._knots import Approach
 from pyrod.curve._points import (
     direction,
-    inflections,
     positions_of,
     refuse_folds,
     straight_angles,
@@ -157,26 +156,9 @@ class Polyline(Immutable):
         """(n, 3) unit tangents of the edges."""
         return sealed(self._compiled.tangents())
 
-    def derivative(self, parameter: ArrayLike) -> Array:
-        """(n, 3) derivative by a parameter, l/h: second order at the centres of the intervals.
-
-        Parameters
-        ----------
-        parameter : its values at the vertices, increasing; for a closed arc with the value of
-            vertex 0 after one period as a last entry: (n + 1,).
-
-        Its length tells how far the parameter is from arc length (Linn, A.3).
-        """
-        xi = array(parameter, "parameter")
-        if (
-            xi.shape != (self.edges + 1,)
-            or not np.isfinite(xi).all()
-            or not (np.diff(xi) > 0).all()
-        ):
-            raise ValueError(
-                f"parameter: expected {self.edges + 1} increasing numbers, got shape {xi.shape}"
-            )
-        return self.edge_vectors / np.diff(xi)[:, None]
+    @borrowed("pyrod.curve._averages:derivative")
+    def derivative(self, parameter: ArrayLike) -> Array:  # type: ignore[empty-body]
+        """(n, 3) derivative by a parameter, l/h: second order at the centres of the intervals."""
 
     # Frenet ---------------------------------------------------------------------------------------
 
@@ -264,41 +246,19 @@ class Polyline(Immutable):
     # Averages -------------------------------------------------------------------------------------
 
     @property
-    def vertex_tangents(self) -> Array:
+    @borrowed("pyrod.curve._averages:vertex_tangents")
+    def vertex_tangents(self) -> Array:  # type: ignore[empty-body]
         """Unit tangents at the vertices that halve the turn; a free end has that of its edge."""
-        t = self.tangents
-        if self.closed:
-            before, behind = np.roll(t, 1, axis=0), t
-        else:
-            start, end = (
-                edge if held is None else held / np.linalg.norm(held)
-                for edge, held in ((t[0], self.start_tangent), (t[-1], self.end_tangent))
-            )
-            before, behind = np.vstack([start, t]), np.vstack([t, end])
-        mean = before + behind
-        return mean / np.linalg.norm(mean, axis=1, keepdims=True)
 
-    def at_vertices(self, values: ArrayLike, *, ends: Ends = "free") -> Array:
-        """Values given per edge, (n, ...), at the vertices: linear between the edge centres.
+    @borrowed("pyrod.curve._averages:at_vertices")
+    def at_vertices(  # type: ignore[empty-body]
+        self, values: ArrayLike, *, ends: Ends = "free"
+    ) -> Array:
+        """Values given per edge, (n, ...), at the vertices: linear between the edge centres."""
 
-        At the ends of an open arc on the continuation of the last line. Second order on any grid.
-        ``ends="continued"``: edges to ends that no tangent holds have the values of the next ones,
-        whatever is given. So it is always for the arc's own `torsion`, as it is not known there.
-        """
-        x = array(values, "values")
-        if x.shape[:1] == (self.edges,):
-            x = with_ends(self, x, "continued" if is_torsion(self, x) else ends)
-        return self._averaged(_core.curve.at_vertices, x)
-
-    def at_centres(self, values: ArrayLike) -> Array:
+    @borrowed("pyrod.curve._averages:at_centres")
+    def at_centres(self, values: ArrayLike) -> Array:  # type: ignore[empty-body]
         """Values given per vertex at the centres of the edges, (n, ...): the mean of two."""
-        return self._averaged(_core.curve.at_centres, values)
-
-    def _averaged(self, average: Any, values: ArrayLike) -> Array:
-        x = array(values, "values")
-        columns = x.reshape(len(x), -1) if x.ndim else x
-        out = average(self.edge_lengths, columns, self.closed)
-        return out.reshape((len(out), *x.shape[1:]))
 
     # Knots ----------------------------------------------------------------------------------------
 
@@ -314,37 +274,19 @@ class Polyline(Immutable):
             )
         return self._compiled.writhe(whole(threads, "threads"))
 
-    def frenet_link(self, threads: int = 0) -> int:
-        """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi.
+    @borrowed("pyrod.curve._link:frenet_link")
+    def frenet_link(self, threads: int = 0) -> int:  # type: ignore[empty-body]
+        """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi."""
 
-        Counts the arc's own crossings. Raises ``ValueError`` where the binormal turns by pi within
-        rounding, as at the inflections of a plane curve: there the ribbon has no sides. O(n^2).
-        """
-        require_closed(self, "frenet_link")
-        at = inflections(self)
-        if len(at):
-            some = ", ".join(map(str, at[:8])) + (", ..." if len(at) > 8 else "")
-            raise ValueError(
-                f"frenet_link: on the edges {some} the binormal turns by pi within rounding, an "
-                "inflection, where the Frenet ribbon has no link; take writhe, or closed_ribbon"
-            )
-        return nearest_whole(self.writhe(threads) + self.dihedral_angles.sum() / (2 * np.pi))
+    @borrowed("pyrod.curve._link:self_approach")
+    def self_approach(self, threads: int = 0) -> Approach:  # type: ignore[empty-body]
+        """Smallest distance between two parts of the arc that are not near along it."""
 
-    def self_approach(self, threads: int = 0) -> Approach:
-        """Smallest distance between two parts of the arc that are not near along it. O(n^2).
-
-        Two edges count if the way between their centres is more than one and a half times as long
-        along the arc as it is straight: on a circle, if they are nearly opposite.
-        """
-        return Approach(*self._compiled.self_approach(whole(threads, "threads")))
-
-    def approach(self, other: Union[Polyline, ArrayLike], threads: int = 0) -> Approach:
-        """Smallest distance between an edge of this and an edge of another. O(n m).
-
-        Positions are taken for those of an open one.
-        """
-        arc = as_polyline(other, "other", closed=False)._compiled
-        return Approach(*self._compiled.approach(arc, whole(threads, "threads")))
+    @borrowed("pyrod.curve._link:approach")
+    def approach(  # type: ignore[empty-body]
+        self, other: Union[Polyline, ArrayLike], threads: int = 0
+    ) -> Approach:
+        """Smallest distance between an edge of this and an edge of another."""
 
 
 def as_polyline(given: Union[Polyline, ArrayLike], name: str, closed: bool) -> Polyline:

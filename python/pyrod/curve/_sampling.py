@@ -29,7 +29,8 @@ def edge_lengths(length: float | ArrayLike, edges: float | None) -> Array:
     total = length if type(length) is float else array(length, "length").item()
     if not (isfinite(total) and total > 0):
         raise ValueError(f"length: must be positive, got {total!r}")
-    out = np.full(int(n), total / int(n))
+    out = np.empty(int(n))
+    out.fill(total / int(n))
     out.setflags(write=False)
     return out
 

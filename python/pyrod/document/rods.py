@@ -13,7 +13,7 @@ from pyrod.curve._sampling import natural_edges
 from pyrod.document.problems import Here
 from pyrod.document.schema import MOST_EDGES, ROD, Jump
 from pyrod.rod.along import EndOutlines, Sections
-from pyrod.rod.law import NO_JUMPS, Jumps, Made, Table
+from pyrod.rod.law import NO_JUMPS, Jumps, Made, Table, table_of
 from pyrod.rod.outline import Outline
 from pyrod.rod.rod import Rod, on_other_edges, rod_of
 from pyrod.rod.section import Section
@@ -88,7 +88,7 @@ def _curve(values: dict[str, Any], section: Sections) -> Rod:
 def _of_arrays(values: dict[str, Any]) -> Rod:
     rod = Rod(**{name: values[name] for name in _GIVEN if name in values})
     law = replace(
-        rod.table(),
+        table_of(rod),
         shapes=_shapes(values.get("outlines", {}), rod.edges),
         corners=values.get("corners", False),
         jumps=_jumps(values["jumps"], rod) if "jumps" in values else NO_JUMPS,
@@ -149,7 +149,7 @@ def written(rod: Rod, name_of: Any) -> dict[str, Any]:
     if type(law) is Made and not callable(law.section) and not callable(law.curvature):
         values, base = _by_law(rod, law, name_of), law.base
     else:
-        table = law if isinstance(law, Table) else rod.table()
+        table = law if isinstance(law, Table) else table_of(rod)
         jumps = table.jumps if table is law else rod._compiled.jumps
         values, base = _by_arrays(table, rod.model, jumps), table.base
     if not np.array_equal(base, rod.edge_lengths) and not _regraded(rod, law):

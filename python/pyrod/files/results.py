@@ -10,8 +10,9 @@ import numpy as np
 from pyrod.base.immutable import sealed
 from pyrod.document import read, write
 from pyrod.result.accuracy import Accuracy
-from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import KINDS
+from pyrod.result.rods import Reaction, RodEquilibrium
 from pyrod.scene.scene import Scene
 
 FORMAT = "pyrod result 1"

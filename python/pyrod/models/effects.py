@@ -11,7 +11,8 @@ import numpy as np
 
 from pyrod._core import Options
 from pyrod.base.immutable import Array, Immutable, frozen
-from pyrod.result.equilibrium import Equilibrium, largest_turn
+from pyrod.result.equilibrium import Equilibrium
+from pyrod.result.rods import largest_turn
 from pyrod.rod.models import STRAINS
 from pyrod.rod.rod import Rod
 from pyrod.rod.section import Model

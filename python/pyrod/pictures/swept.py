@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyrod.base.immutable import Array
-from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import KINDS, field
+from pyrod.result.rods import RodEquilibrium
 from pyrod.rod.outline import Outline
 from pyrod.rod.outlines import outlines
 from pyrod.rod.polygons import triangles

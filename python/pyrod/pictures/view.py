@@ -15,8 +15,9 @@ from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.measure import measure
 from pyrod.pictures.swept import Swept, swept
-from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import field
+from pyrod.result.rods import RodEquilibrium
 from pyrod.rod.place import on_rod
 
 PALETTE = np.array(

@@ -9,8 +9,9 @@ import numpy as np
 from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.measure import symbol_of
-from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import KINDS, field
+from pyrod.result.rods import RodEquilibrium
 from pyrod.rod.models import STRAINS
 
 PANELS = {"strains": ("K", "Gamma"), "forces": ("force", "moment")}

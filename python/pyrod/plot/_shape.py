@@ -11,7 +11,8 @@ from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.box import box
 from pyrod.pictures.measure import Colouring, measure
-from pyrod.result.equilibrium import Equilibrium, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium
+from pyrod.result.rods import RodEquilibrium
 from pyrod.rotation import conjugate, rotate
 
 

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pyrod.base.immutable import Array
-from pyrod.result.equilibrium import RodEquilibrium
+from pyrod.result.rods import RodEquilibrium
 from pyrod.rotation import to_matrix
 
 Carrier = Literal["vertex", "edge"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 from dataclasses import dataclass
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
 
@@ -113,11 +113,16 @@ Law = Union[Made, Table]
 """Tells what a rod is made of."""
 
 
-def kept_outlines(law: Law | None, h: Array) -> tuple[EndOutlines, ...]:
-    """What a law says of outlines, for a rod that has other arrays than it says."""
-    if law is None or abs(law.base.sum() - h.sum()) > 1e-9 * h.sum():
-        return ()
-    return law.outlines(h)
+def table_of(rod: Any) -> Table:
+    """The law that tells the arrays of a rod, and nothing between vertices.
+
+    Outlines and corners are those of the law it has, if that is of the same length.
+    """
+    law, h = rod._law, rod.edge_lengths
+    is_of_it = law is not None and abs(law.base.sum() - h.sum()) <= 1e-9 * h.sum()
+    shapes = law.outlines(h) if is_of_it else ()
+    corners = law is not None and law.corners
+    return Table(h, rod.bending, rod.stretching, rod.K0, rod.mass_per_length, shapes, corners)
 
 
 def within(ends: EndOutlines, part: float) -> Outline | None:

@@ -4,24 +4,25 @@ from __future__ import annotations
 
 import inspect
 from dataclasses import dataclass, field, replace
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import array, finite, rows
+from pyrod.base.arrays import array, finite
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy, frozen, vector
 from pyrod.curve._sampling import edge_lengths, natural_edges
 from pyrod.rod.along import Curvature, Sections, masses
 from pyrod.rod.energy import Energy
-from pyrod.rod.law import Law, Made, Placement, Points, Table, kept_outlines
+from pyrod.rod.law import Law, Made, Placement, Points, table_of
+from pyrod.rod.models import check_model, checked_model
 from pyrod.rod.outline import Outline
 from pyrod.rod.place import End
 from pyrod.rod.rest_shape import rest_curvature, ribbon
 from pyrod.rod.section import Model
-from pyrod.rotation import as_frame, as_frames, exp, frame_along, multiply, unit_frame
+from pyrod.rotation import as_frame, exp, frame_along, multiply, unit_frame
 
 _ORIGIN: Placement = (frozen([0, 0, 0]), frozen([1, 0, 0, 0]))
 _NO_CURVATURE = frozen([0, 0, 0])
@@ -72,7 +73,7 @@ class Rod(Lazy, Immutable):
         return super().__new__(cls)
 
     def __post_init__(self) -> None:
-        _check_model(self.model)
+        check_model(self.model)
         for name in _ARRAYS[:4]:
             self._set(**{name: frozen(getattr(self, name), name)})
         position, frame = self.placement
@@ -81,7 +82,7 @@ class Rod(Lazy, Immutable):
         if self._compiled is not None and self._is_by_law():
             self._set(_compiled=self._compiled.replaced(self.model, *self.placement))
         else:
-            law = self.table()
+            law = table_of(self)
             self._set(_law=law, _compiled=law.compiled(self.model, self.placement, False))
 
     def _is_by_law(self) -> bool:
@@ -95,24 +96,13 @@ class Rod(Lazy, Immutable):
             return same
         return self._compiled.kept == other._compiled.kept
 
-    __hash__ = None
-
-    def table(self) -> Table:
-        """The law that tells the arrays of this rod, and nothing between vertices."""
-        shapes = kept_outlines(self._law, self.edge_lengths)
-        corners = self._law is not None and self._law.corners
-        stiffnesses = self.bending, self.stretching
-        return Table(
-            self.edge_lengths, *stiffnesses, self.K0, self.mass_per_length, shapes, corners
-        )
-
     def __getstate__(self) -> dict[str, Any]:
         """Functions of arc length that cannot be pickled are as linear between vertices."""
         state = super().__getstate__()
         made, law = state.pop("_compiled"), self._law
         state["_grid"] = made.kept, made.marks
         if not law.portable:
-            state.update(_law=replace(self.table(), jumps=made.jumps), _grid=(None, []))
+            state.update(_law=replace(table_of(self), jumps=made.jumps), _grid=(None, []))
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -161,7 +151,7 @@ class Rod(Lazy, Immutable):
         free = edges is None and array(length, "length").ndim == 0
         h = edge_lengths(length, natural_edges(length, curvature) if free else edges)
         law = Made(section, curvature, h)
-        return rod_of(law.compiled(_checked_model(model), _ORIGIN, free), law, _ORIGIN)
+        return rod_of(law.compiled(checked_model(model), _ORIGIN, free), law, _ORIGIN)
 
     @classmethod
     def from_curve(
@@ -190,7 +180,7 @@ class Rod(Lazy, Immutable):
         h = shape.polyline.edge_lengths
         law = Points(section, frozen(K0), h)
         placement = (frozen(shape.polyline.positions[0]), frozen(start))
-        return rod_of(law.compiled(_checked_model(model), placement, False), law, placement)
+        return rod_of(law.compiled(checked_model(model), placement, False), law, placement)
 
     # Views ---------------------------------------------------------------------------------------
 
@@ -237,7 +227,7 @@ class Rod(Lazy, Immutable):
 
     def in_model(self, model: Model) -> Rod:
         """The same rod with other strains."""
-        _check_model(model)
+        check_model(model)
         return rod_of(self._compiled.replaced(model, *self.placement), self._law, self.placement)
 
     def with_vertices(self, at: ArrayLike) -> Rod:
@@ -275,31 +265,15 @@ class Rod(Lazy, Immutable):
             self.placement[1] if frame is None else as_frame(frame, "frame"),
         )
 
-    def energy(
+    @borrowed("pyrod.rod.energy_of:energy_of")
+    def energy(  # type: ignore[empty-body]
         self,
         positions: ArrayLike,
         frames: ArrayLike,
         start_frame: ArrayLike | None = None,
         end_frame: ArrayLike | None = None,
     ) -> Energy:
-        """Elastic energy, Linn (49) and (51), with gradient and Hessian.
-
-        Parameters
-        ----------
-        positions : (n + 1, 3).
-        frames : (n, 4) unit quaternions; their signs matter, a turn may reach 2 pi.
-        start_frame, end_frame : (4,) frames that hold the ends. An end without one has no half cell
-            and no energy there.
-
-        Strains that the rod's model excludes carry no energy.
-        """
-        bend_twist, stretch_shear, gradient, hessian = self._compiled.energy(
-            rows(positions, "positions", 3),
-            as_frames(frames, "frames"),
-            None if start_frame is None else as_frame(start_frame, "start_frame"),
-            None if end_frame is None else as_frame(end_frame, "end_frame"),
-        )
-        return Energy(bend_twist, stretch_shear, frozen(gradient), hessian)
+        """Elastic energy, Linn (49) and (51), with gradient and Hessian."""
 
     def __repr__(self) -> str:
         curved = "precurved" if self.K0.any() else "straight"
@@ -318,17 +292,6 @@ def on_other_edges(rod: Rod, h: Array, kept: list[float] | None) -> Rod:
     """The same rod; ``kept``: vertices that are kept if the solver chooses the edges."""
     made = rod._compiled
     return rod_of(made.on(h, kept, made.marks), rod._law, rod.placement)
-
-
-def _check_model(model: Any) -> None:
-    if not isinstance(model, str) or model not in get_args(Model):
-        raise ValueError(f"model: expected one of {', '.join(get_args(Model))}, got {model!r}")
-
-
-def _checked_model(model: Model | None) -> Model | None:
-    if model is not None:
-        _check_model(model)
-    return model
 
 
 # What help and editors show is what the dataclass takes, not what `__new__` looks at.

@@ -64,6 +64,13 @@ class LoadAlong(Load):
         if not callable(self.acting):
             self.__dict__[name] = frozen(self.acting, name)
 
+    def _given(self) -> list[Any]:
+        """With a function, one whose values are looked at."""
+        acting, *others = super()._given()
+        if callable(acting):
+            acting = along(acting, 1, self._kind.fields[0], "edge")
+        return [acting, *others]
+
     def on_edges(self, rods: tuple[Rod, ...]) -> Array:
         """(n, 3) what acts at the centres of the edges."""
         s = rods[self.rod].arc_lengths

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from pyrod.base.immutable import Immutable, Once
-from pyrod.curve._sampling import along
 
 
 class Part(Immutable):
@@ -17,9 +16,8 @@ class Part(Immutable):
     @Once
     def _compiled(self) -> Any:
         """The compiled part."""
-        return self._kind(*[self._given(name) for name in self._kind.fields])
+        return self._kind(*self._given())
 
-    def _given(self, name: str) -> Any:
-        """An attribute; if it is a function of arc length, one whose values are looked at."""
-        value = getattr(self, name)
-        return along(value, 1, name, "edge") if callable(value) else value
+    def _given(self) -> list[Any]:
+        """What the compiled class takes."""
+        return [getattr(self, name) for name in self._kind.fields]

@@ -10,7 +10,8 @@ import pyrod._core as _core
 from pyrod._core import Options
 from pyrod.base.immutable import lazily
 from pyrod.result.accuracy import accuracy_of, checked_tolerance
-from pyrod.result.equilibrium import Equilibrium, Reaction, RodEquilibrium
+from pyrod.result.equilibrium import Equilibrium
+from pyrod.result.rods import Reaction, RodEquilibrium
 from pyrod.rod.rod import Rod
 from pyrod.rotation import as_frames
 from pyrod.scene.scene import Scene
@@ -62,9 +63,10 @@ def equilibrium_of(
     return lazily(
         Equilibrium,
         found,
+        status=found.status,
         scene=scene,
         rods=tuple(map(_rod_equilibrium, scene.rods, found.rods)),
-        reactions=tuple(Reaction(*reaction) for reaction in found.reactions),
+        reactions=tuple([Reaction(*reaction) for reaction in found.reactions]),
         time=time,
         lowest_eigenvalue=found.lowest_eigenvalue if how.eigenvalue else None,
         accuracy=accuracy,

@@ -7,7 +7,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pyrod.base.immutable import Array
-from pyrod.result.equilibrium import Equilibrium, RodEquilibrium, largest_turn
+from pyrod.result.equilibrium import Equilibrium
+from pyrod.result.rods import RodEquilibrium, largest_turn
 
 LossKind = Literal["bifurcation", "limit point", "none"]
 
