@@ -12,8 +12,3 @@
 #include <pyrod/curve/link.hpp>
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/scene.hpp>
-#include <pyrod/statics/scene_solver.hpp>
-
-#ifdef PYROD_COMPILED
-#include <pyrod/statics/ladder/compiled.hpp>
-#endif

@@ -12,6 +12,7 @@
 #include <pyrod/rod/model.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rod/stretch_shear.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
 
 #include <Eigen/SparseCore>

@@ -14,9 +14,10 @@
 #include <pyrod/scene/place.hpp>
 #include <pyrod/scene/point_loads.hpp>
 #include <pyrod/scene/rod_on_grid.hpp>
+#include <pyrod/scene/rod_spec.hpp>
 #include <pyrod/scene/scene.hpp>
+#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/scene/supports.hpp>
-#include <pyrod/scene/with_vertices.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/scene/scene.hpp>
+#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/statics/doubts.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/known_start.hpp>

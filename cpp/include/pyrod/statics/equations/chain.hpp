@@ -8,6 +8,7 @@
 #include <pyrod/core/pack.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/bend_twist.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/frames.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/sparse/chain_columns.hpp>

@@ -24,14 +24,7 @@ class Layout {
  public:
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  explicit Layout(Network<Space> network) : known_(std::move(network)) {
-    set_units(known_.cut());
-    number(known_.cut());
-    determinate_ = unknowns() == spin * edges();
-    for (const auto& on : known_.cut().attached)
-      determinate_ =
-          determinate_ && std::ranges::any_of(on, [&](const auto& a) { return clamps(a); });
-  }
+  explicit Layout(Network<Space> network);
 
   const KnownForces<Space>& known() const { return known_; }
   const Network<Space>& network() const { return known_.cut().network; }
@@ -228,5 +221,15 @@ class Layout {
   double moment_ = 1;
   bool determinate_ = false;
 };
+
+template <class Space>
+Layout<Space>::Layout(Network<Space> network) : known_(std::move(network)) {
+  set_units(known_.cut());
+  number(known_.cut());
+  determinate_ = unknowns() == spin * edges();
+  for (const auto& on : known_.cut().attached)
+    determinate_ =
+        determinate_ && std::ranges::any_of(on, [&](const auto& a) { return clamps(a); });
+}
 
 }  // namespace pyrod
