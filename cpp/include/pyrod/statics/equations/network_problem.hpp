@@ -56,12 +56,7 @@ class NetworkProblem {
 
   bool fits(const Storage& made) const { return made.hessian.pattern() == layout_.pattern(); }
 
-  void linearise(const State& x, Hessian kind, Storage& out) const {
-    if (kind == Hessian::exact)
-      linearise<Hessian::exact>(x, out);
-    else
-      linearise<Hessian::convex>(x, out);
-  }
+  void linearise(const State& x, Hessian kind, Storage& out) const;
 
   void move(const State& x, const Vector& δ, State& out) const;
 
@@ -166,6 +161,14 @@ NetworkProblem<Space>::NetworkProblem(const Layout<Space>& layout)
       loads_(layout),
       columns_(edge_columns(layout)),
       scales_(layout) {}
+
+template <class Space>
+void NetworkProblem<Space>::linearise(const State& x, Hessian kind, Storage& out) const {
+  if (kind == Hessian::exact)
+    linearise<Hessian::exact>(x, out);
+  else
+    linearise<Hessian::convex>(x, out);
+}
 
 template <class Space>
 auto NetworkProblem<Space>::linearisation() const -> Storage {
