@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod.base.arrays import array, number
+from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
 from pyrod.curve._arc import require_closed
 from pyrod.curve._knots import nearest_whole
@@ -82,6 +83,10 @@ class FramedCurve(Immutable):
         self._set(polyline=polyline, frames=q, edge_lengths=h, start_frame=start, end_frame=end)
         self.twist_angles  # noqa: B018  checks everything
         return self
+
+    @borrowed("pyrod.notebook.views:framed_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         kind = "closed" if self.polyline.closed else "open"

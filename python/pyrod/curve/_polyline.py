@@ -109,6 +109,10 @@ class Polyline(Immutable):
         super().__setstate__(state)
         self._set(_arc=self._compiled())
 
+    @borrowed("pyrod.notebook.views:polyline_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
+
     def __repr__(self) -> str:
         kind = "closed" if self.closed else "open"
         return f"Polyline({kind}, edges={self.edges}, length={self.length:g})"

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod.base.arrays import Array, array, rows, yes_or_no
 from pyrod.base.immutable import vector
+from pyrod.base.words import shortly
 from pyrod.rotation import as_frame, from_matrix, quaternions
 
 Measure = Literal["log", "chord", "cayley"]
@@ -24,7 +25,7 @@ def checked_measure(measure: Any, *also: str) -> Any:
     """The name of a measure; refuses what is none."""
     names = ("log", "chord", "cayley", *also)
     if not isinstance(measure, str) or measure not in names:
-        raise ValueError(f"measure: expected one of {', '.join(names)}, got {measure!r}")
+        raise ValueError(f"measure: expected one of {', '.join(names)}, got {shortly(measure)}")
     return measure
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from pyrod._core import Options
 from pyrod.base.immutable import Array, Immutable, frozen
+from pyrod.base.words import shortly
 from pyrod.result.equilibrium import Equilibrium, largest_turn
 from pyrod.rod.models import STRAINS
 from pyrod.rod.rod import Rod
@@ -105,7 +106,7 @@ def effect(result: Equilibrium, of: Of, quantity: Quantity | None = None) -> Eff
     NotConverged : the change is too large for the first order, and no equilibrium is found.
     """
     if of not in get_args(Of):
-        raise ValueError(f"of: expected one of {', '.join(get_args(Of))}, got {of!r}")
+        raise ValueError(f"of: expected one of {', '.join(get_args(Of))}, got {shortly(of)}")
     if not result.converged:
         raise ValueError(f"result: it is no equilibrium, but {result.status}")
     richer = _in_space(result.scene) if of == "space" else _with_strains(result.scene, of)

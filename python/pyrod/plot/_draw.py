@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Literal
 
 from pyrod.base.optional import need
+from pyrod.base.words import shortly
 from pyrod.plot._along import PANELS, draw_along
 from pyrod.plot._mode import draw_mode
 from pyrod.plot._shape import draw_shape
@@ -59,10 +60,10 @@ def draw(
         raise TypeError("color_by: it is written colour_by")
     if what not in ("shape", "stability", *PANELS):
         raise ValueError(
-            f"what: expected one of shape, {', '.join(PANELS)}, stability, got {what!r}"
+            f"what: expected one of shape, {', '.join(PANELS)}, stability, got {shortly(what)}"
         )
     if colour_by is not None and what != "shape":
-        raise ValueError(f"colour_by: only the shape can be coloured, not what={what!r}")
+        raise ValueError(f"colour_by: only the shape can be coloured, not what={shortly(what)}")
     if what in PANELS:
         return draw_along(result, PANELS[what], ax, style)
     if what == "stability":

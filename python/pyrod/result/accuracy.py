@@ -8,6 +8,7 @@ from typing import Any
 
 from pyrod.base.arrays import number_as
 from pyrod.base.immutable import Immutable
+from pyrod.base.words import shortly
 
 TOLD_APART = ("edge_frames", "edge_forces", "strains", "extremes")
 _LIMITS = {
@@ -87,5 +88,5 @@ def checked_tolerance(tol: float | None) -> float | None:
     wanted = "must be a number in (0, 0.1]"
     value = 0.0 if isinstance(tol, bool) else number_as(tol, "tol", wanted)
     if not 0 < value <= 0.1:
-        raise ValueError(f"tol: {wanted}, got {tol!r}")
+        raise ValueError(f"tol: {wanted}, got {shortly(tol)}")
     return value

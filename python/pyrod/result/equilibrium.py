@@ -103,6 +103,10 @@ class RodEquilibrium(Lazy, Immutable):
         """(4,) frame of the end."""
         return self.vertex_frames[-1]
 
+    @borrowed("pyrod.notebook.views:rod_equilibrium_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
+
     def __repr__(self) -> str:
         tip = ", ".join(f"{x:.6g}" for x in self.tip)
         return f"RodEquilibrium({self.rod!r}, energy={self.energy:.6g}, tip=({tip}))"
@@ -159,6 +163,11 @@ class Equilibrium(Lazy, Immutable):
         if len(rods) != 1:
             raise AttributeError(f"{name}: the scene has {len(rods)} rods; see rods[i].{name}")
         return getattr(rods[0], name)
+
+    def __dir__(self) -> list[str]:
+        """With what is known of the only rod."""
+        rods = self.__dict__["rods"]
+        return sorted({*super().__dir__(), *(dir(rods[0]) if len(rods) == 1 else ())})
 
     @property
     def errors(self) -> dict[str, float] | None:
@@ -330,6 +339,10 @@ class Equilibrium(Lazy, Immutable):
     @borrowed("pyrod.files:save")
     def save(self, path: str | Path, **options: Any) -> None:
         """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
+
+    @borrowed("pyrod.notebook.views:equilibrium_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         how = "" if self.converged else f", {self.status}"

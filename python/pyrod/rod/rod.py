@@ -13,6 +13,7 @@ import pyrod._core as _core
 from pyrod.base.arrays import array, finite, rows
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
+from pyrod.base.words import shortly
 from pyrod.curve._sampling import edge_lengths, natural_edges
 from pyrod.rod.along import Curvature, Sections, masses
 from pyrod.rod.energy import Energy
@@ -324,6 +325,10 @@ class Rod(Immutable):
         )
         return Energy(bend_twist, stretch_shear, frozen(gradient), hessian)
 
+    @borrowed("pyrod.notebook.views:rod_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
+
     def __repr__(self) -> str:
         curved = "precurved" if self.K0.any() else "straight"
         edges = self.edges if self._breaks is None else None
@@ -333,7 +338,7 @@ class Rod(Immutable):
 def _check_model(model: Any) -> None:
     if not isinstance(model, str) or model not in _core.Model.__members__:
         raise ValueError(
-            f"model: expected one of {', '.join(_core.Model.__members__)}, got {model!r}"
+            f"model: expected one of {', '.join(_core.Model.__members__)}, got {shortly(model)}"
         )
 
 

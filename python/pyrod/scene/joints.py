@@ -8,6 +8,7 @@ from typing import Literal
 
 import pyrod._core as _core
 from pyrod.base.immutable import Array, Immutable
+from pyrod.base.words import shortly
 from pyrod.rod.place import Place, checked
 from pyrod.scene.supports import unit, whole_turns
 
@@ -40,7 +41,7 @@ class Joint(Immutable):
         if len(points) < 2:
             raise ValueError(f"points: a joint needs two or more, got {len(points)}")
         if self.kind not in ("rigid", "hinge", "ball"):
-            raise ValueError(f"kind: expected 'rigid', 'hinge' or 'ball', got {self.kind!r}")
+            raise ValueError(f"kind: expected 'rigid', 'hinge' or 'ball', got {shortly(self.kind)}")
         if (self.kind == "hinge") != (self.axis is not None):
             raise ValueError("axis: a hinge needs one, other joints have none")
         self._set(points=points, turns=whole_turns(self.turns), axis=unit(self.axis, "axis"))

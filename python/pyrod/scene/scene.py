@@ -12,6 +12,7 @@ from typing import Any, Literal
 import pyrod._core as _core
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, sealed
+from pyrod.base.words import shortly
 from pyrod.rod.place import Place
 from pyrod.rod.rod import Rod
 from pyrod.scene.joints import Joint
@@ -67,7 +68,7 @@ class Scene(Immutable):
             raise ValueError("rods: expected at least one")
         if not isinstance(space, str) or space not in _core.Dimension.__members__:
             raise ValueError(
-                f"space: expected 'planar' or 'spatial', got {space!r}{_belonging(space)}"
+                f"space: expected 'planar' or 'spatial', got {shortly(space)}{_belonging(space)}"
             )
         if not supports and not joints:
             raise ValueError(
@@ -163,6 +164,10 @@ class Scene(Immutable):
     @borrowed("pyrod.files:save")
     def save(self, path: str | Path, **options: Any) -> None:
         """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
+
+    @borrowed("pyrod.notebook.views:scene_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         rods = repr(self.rods[0]) if len(self.rods) == 1 else f"{len(self.rods)} rods"

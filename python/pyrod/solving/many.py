@@ -82,7 +82,7 @@ def _start(number: int, start: Any, scene: Scene) -> Any:
     try:
         return start_of(start, scene)
     except (ValueError, TypeError) as error:
-        raise type(error)(f"scene {number}: {error}") from error
+        raise type(error)(f"scene {number}: {error}") from None
 
 
 def _refuse_failures(results: list[Equilibrium]) -> None:

@@ -12,6 +12,10 @@ from numpy.typing import ArrayLike
 from pyrod._core import Options
 from pyrod.base.arrays import number
 from pyrod.base.immutable import Array, Immutable
+from pyrod.base.words import shortly
+from pyrod.notebook.table import Row, page
+from pyrod.notebook.views import pictured
+from pyrod.pictures.displaced import shown_mode
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import AccuracyWarning
 from pyrod.scene.scene import Scene, checked_scene
@@ -63,6 +67,18 @@ class Critical(Immutable):
             raise ValueError("buckled: no critical load was found, see kind")
         scene = self._path.scene((1 + beyond) * self.grid_factor)
         return solved(scene, start=self.equilibrium.along_mode(amplitude))
+
+    def _repr_html_(self) -> str:
+        """What notebooks show: the equilibrium; dashed: displaced along its mode."""
+        moved = [] if self.mode is None else shown_mode(self.equilibrium)
+        rows = [
+            Row("kind", self.kind),
+            Row("factor", self.factor),
+            Row("error of the factor", self.error),
+            Row("factor on the scene's edges", self.grid_factor),
+            Row("index above", "no equilibrium" if self.index_after is None else self.index_after),
+        ]
+        return page("Critical load", rows, *pictured(self.equilibrium, moved))
 
     def __repr__(self) -> str:
         if self.kind == "none":
@@ -149,7 +165,7 @@ def _growing(scene: Scene, loads: Iterable[int] | None) -> frozenset[int]:
     count = len(scene.loads)
     growing = frozenset(range(count) if loads is None else loads)
     if not growing or not growing <= set(range(count)):
-        raise ValueError(f"loads: expected numbers below {count}, got {sorted(growing)}")
+        raise ValueError(f"loads: expected numbers below {count}, got {shortly(list(growing))}")
     if any(load.follower for load in scene.loads):
         raise ValueError(
             "loads: those that follow the rods have no potential, so that stability is a matter "

@@ -10,6 +10,7 @@ from typing import Any, Literal, get_args
 
 from pyrod._core import Options
 from pyrod.base.progress import Progress, shown
+from pyrod.base.words import shortly
 from pyrod.result.accuracy import checked_tolerance
 from pyrod.rod.section import Model
 from pyrod.solving.job import How
@@ -76,11 +77,13 @@ def sweep(
     KeyboardInterrupt : Ctrl-C; what is done is in the store.
     """
     if start not in (None, "previous"):
-        raise ValueError(f"start: expected 'previous' or None, got {start!r}")
+        raise ValueError(f"start: expected 'previous' or None, got {shortly(start)}")
     if store is not None and keep_results:
         raise ValueError("keep_results: a store holds no equilibria; leave out one of the two")
     if model not in (None, "auto", *get_args(Model)):
-        raise ValueError(f"model: expected 'auto', {', '.join(get_args(Model))}, got {model!r}")
+        raise ValueError(
+            f"model: expected 'auto', {', '.join(get_args(Model))}, got {shortly(model)}"
+        )
     if model == "auto" and tol is None:
         raise ValueError("model: 'auto' needs tol, the error that is allowed")
     began = perf_counter()

@@ -65,7 +65,8 @@ class Store:
                 values = {key: _back(value) for key, value in values.items()}
             return Record(**entries, values=values)
         except (ValueError, TypeError, KeyError, AttributeError) as error:
-            raise ValueError(f"store: {self._path} is damaged at {line[:60]!r}") from error
+            what = type(error).__name__
+            raise ValueError(f"store: {self._path} is damaged at {line[:60]!r} ({what})") from None
 
     def add(self, records: Iterable[Record]) -> None:
         """Writes what came of some cases."""
