@@ -64,7 +64,7 @@ def log(quaternion: ArrayLike) -> Array:
 
 
 def cayley(vector: ArrayLike) -> Array:
-    """(1 + q)/(1 - q): turns by theta with tan(theta/4) = |q| (Linn 2020, note 3)."""
+    """(1 + q)/(1 - q): turns by theta with ``tan(theta/4) = |q|`` (Linn 2020, note 3)."""
     return _rowwise(_core.rotation.cayley, array(vector, "vector"), 3, "vector")
 
 

@@ -62,7 +62,8 @@ def quantity(text: str, dimension: Dimension) -> float:
 
     Raises
     ------
-    Misread : what is wrong with it.
+    Misread
+        What is wrong with it.
     """
     if text in WORDS:
         return float(text)

@@ -29,7 +29,8 @@ def mode_displacements(result: Equilibrium) -> list[Array]:
 
     Raises
     ------
-    ValueError : the mode is not known.
+    ValueError
+        The mode is not known.
     """
     if result.mode is None:
         raise ValueError("stability: there is no mode; solve with eigenvalue=True")

@@ -35,13 +35,16 @@ def measure(result: Equilibrium, of: str) -> Colouring:
 
     Parameters
     ----------
-    result : the equilibrium.
-    of : name of a quantity (`KINDS`), for its magnitude or, of a scalar, its value; or,
-        after a point, a component, too: "moment", "moment.x", "material_moment.1".
+    result : `Equilibrium`
+        The equilibrium.
+    of : str
+        Name of a quantity (`KINDS`), for its magnitude or, of a scalar, its value; or, after a
+        point, a component, too: "moment", "moment.x", "material_moment.1".
 
     Raises
     ------
-    ValueError : no such quantity or component; those that are, are told.
+    ValueError
+        No such quantity or component; those that are, are told.
     """
     name, point, component = of.partition(".")
     found = [field(rod, name) for rod in result.rods]

@@ -30,7 +30,7 @@ class Accuracy(Immutable):
 
     tol: float
     errors: dict[str, float]
-    """Estimates of the largest errors: of ``positions`` relative to the longest rod, ``frames`` and
+    """Estimates of the largest errors, of ``positions`` relative to the longest rod, ``frames`` and
     ``edge_frames`` in radians, ``strains`` (Gamma) as they are, of all others relative to the
     largest value of their kind. ``tol`` is for all but those of the edges, and of the ``extremes``
     (``largest_K``, ``largest_force``, ``largest_moment``), which are told apart.
@@ -40,7 +40,7 @@ class Accuracy(Immutable):
     grids: int  #: on which the scene was solved
     finest_edges: int  #: of all rods together, on the last of them
     ended: str = "reached"
-    """What ended the climb: "reached": ``tol``; else a limit, "edges" (``Options.max_edges``),
+    """What ended the climb, "reached" (``tol``); else a limit, "edges" (``Options.max_edges``),
     "time" (``Options.max_time``), "rounding": finer grids were no better; "interrupted"."""
     neutral: bool = False
     """Whether the errors are those of all but the place along the free motion, which is chance."""

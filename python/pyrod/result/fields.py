@@ -80,7 +80,8 @@ def field(rod: RodEquilibrium, name: str) -> Field:
 
     Raises
     ------
-    ValueError : there is no quantity of that name; those that are, are told.
+    ValueError
+        There is no quantity of that name; those that are, are told.
     """
     if name not in KINDS:
         raise ValueError(f"quantity: expected one of {', '.join(KINDS)}, got {shortly(name)}")

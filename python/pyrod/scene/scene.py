@@ -28,21 +28,27 @@ class Scene(Immutable):
 
     Parameters
     ----------
-    rods : a `Rod`, or several. Supports and joints between two vertices get a vertex of their own,
-        so the scene's rods may have more edges than those given. Where rods leave their edges to
-        the solver, point loads get vertices, too.
-    supports : `Clamp`, `Hinge`, `Slider`, `Sleeve`, `Pivot`, `Spring`; any number. Ends without one
+    rods : `Rod`, or several
+        A `Rod`, or several. Supports and joints between two vertices get a vertex of their own, so
+        the scene's rods may have more edges than those given. Where rods leave their edges to the
+        solver, point loads get vertices, too.
+    supports : supports
+        `Clamp`, `Hinge`, `Slider`, `Sleeve`, `Pivot`, `Spring`; one or any number. Ends without one
         are free.
-    loads : `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`; any number.
-    space : "spatial" (default), or "planar": the rods stay in the plane of the directors a1 and a3
-        of the first clamp (else of the first rod at rest), which takes a third of the unknowns.
-        What leaves the plane is refused.
-    joints : `Joint`, any number.
+    loads : loads
+        `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`; one or any number.
+    space : "spatial" or "planar"
+        In the plane (not default) the rods stay in that of the directors a1 and a3 of the first
+        clamp (else of the first rod at rest), which takes a third of the unknowns. What leaves the
+        plane is refused.
+    joints : `Joint`, or several
+        Any number.
 
     Raises
     ------
-    ValueError : places that are not on a rod, points that are held or joined twice, loads that
-        nothing holds against.
+    ValueError
+        Places that are not on a rod, points that are held or joined twice, loads that nothing holds
+        against.
     """
 
     rods: tuple[Rod, ...]

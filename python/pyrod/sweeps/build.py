@@ -41,7 +41,8 @@ def builder_of(source: Source, example: Mapping[str, Any]) -> Callable[..., Scen
 
     Raises
     ------
-    ValueError, TypeError : it does not take them; there is no such entry.
+    ValueError, TypeError
+        It does not take them; there is no such entry.
     """
     if callable(source):
         _refuse_arguments(source, example)

@@ -47,7 +47,8 @@ def cases_of(parameters: Parameters) -> Cases:
 
     Raises
     ------
-    ValueError, TypeError : there are none, or they are not told by names.
+    ValueError, TypeError
+        There are none, or they are not told by names.
     """
     if isinstance(parameters, Mapping):
         return _grid(parameters)

@@ -39,7 +39,8 @@ def plain(values: Any, arguments: Mapping[str, Any]) -> dict[str, Any]:
 
     Raises
     ------
-    ValueError, TypeError : it is something else, or has the name of something else.
+    ValueError, TypeError
+        It is something else, or has the name of something else.
     """
     if not isinstance(values, Mapping):
         raise TypeError(f"measure: expected a dict, got a {type(values).__name__}")

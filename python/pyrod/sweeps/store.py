@@ -23,7 +23,8 @@ class Store:
 
     Raises
     ------
-    ValueError : the file is of another sweep, or no such file at all.
+    ValueError
+        The file is of another sweep, or no such file at all.
     """
 
     def __init__(self, path: str | PathLike[str], identity: Mapping[str, Any]) -> None:

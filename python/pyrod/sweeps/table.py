@@ -42,7 +42,7 @@ class Sweep(Immutable):
     """
 
     parameters: dict[str, tuple[Any, ...]]
-    """Values by name: along the axes of the grid; or, of a list, of every case."""
+    """Values by name, along the axes of the grid; or, of a list, of every case."""
     grid: bool  #: whether all combinations of them were solved
     columns: dict[str, np.ndarray]  #: by name, a row per case; the last parameter runs fastest
     results: tuple[Equilibrium | None, ...] | None  #: per case, if they were kept
@@ -128,7 +128,8 @@ class Sweep(Immutable):
 
         Raises
         ------
-        ValueError : it has another suffix.
+        ValueError
+            It has another suffix.
         """
         check_table(path)
         with replacing(Path(path)) as temporary:
