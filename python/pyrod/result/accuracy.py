@@ -24,7 +24,7 @@ class Accuracy(Immutable):
     """What was asked for, what was reached, and how.
 
     The scene is solved on its edges, on these halved, and so on, and what the grids tend to is
-    extrapolated (docs/theory.md, "The ladder"). Arrays belong to the vertices and edges of the
+    extrapolated (docs/theory.md, section 12). Arrays belong to the vertices and edges of the
     coarsest grid. Errors are those of the discretisation, not of the model.
     """
 
