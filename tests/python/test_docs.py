@@ -74,8 +74,11 @@ def test_members_are_in_the_reference(site: Path) -> None:
 
 def test_fields_are_set_apart_from_what_they_mean(site: Path) -> None:
     text = (site / "api" / "scenes.html").read_text()
-    assert re.search(r"<strong>EI1, EI2</strong> – bending stiffness", text)
-    assert re.search(r"<strong>follower</strong> – it turns with the rod", text)
+    for field, kind, meaning in (
+        ("EI1, EI2", "float [N m^2]", "Bending stiffness"),
+        ("follower", "bool", "It turns with the rod"),
+    ):
+        assert f"<strong>{field}</strong> (<em>{kind}</em>) – {meaning}" in text
     assert "_law" not in text  # no parameter that is nobody's business
 
 

@@ -119,9 +119,19 @@ def test_ways_up_are_seen() -> None:
 # Methods that are functions of modules above ------------------------------------------------------
 
 
+BORROWING = (
+    pyrod.Equilibrium,
+    pyrod.RodEquilibrium,
+    pyrod.Scene,
+    pyrod.Rod,
+    pyrod.curve.Polyline,
+    pyrod.curve.FramedCurve,
+)
+
+
 def borrowed() -> dict[str, Borrowed]:
     found = {}
-    for kind in (pyrod.Equilibrium, pyrod.Scene, pyrod.Rod, pyrod.curve.Polyline):
+    for kind in BORROWING:
         for name, member in vars(kind).items():
             member = member.fget if isinstance(member, property) else member
             if isinstance(member, Borrowed):

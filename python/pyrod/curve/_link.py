@@ -17,8 +17,19 @@ def linking_number(
 ) -> int:
     """How often two closed polylines wind around each other, by Gauss's integral. O(n m).
 
-    Positions are taken for those of closed ones. Raises ``ValueError`` where they meet. Positive
-    for right-handed crossings.
+    Positive for right-handed crossings.
+
+    Parameters
+    ----------
+    a, b : `Polyline` or (n, 3) array [m]
+        Positions are taken for those of closed ones.
+    threads : int
+        Default 0: as many as the machine has cores.
+
+    Raises
+    ------
+    ValueError
+        They meet.
     """
     a, b = as_polyline(a, "a", closed=True), as_polyline(b, "b", closed=True)
     require_closed(a, "linking_number")

@@ -34,31 +34,38 @@ NO_ANGLE = 0.0
 class Polyline(Immutable):
     """A polygonal arc of n edges in space, open or closed (Linn 2020, sect. 4 and A.3).
 
+    Angles and curvatures are invariant under rigid motion. Values at vertices are those of the
+    cells around them, which have half a length at the ends of an open arc.
+
     Parameters
     ----------
-    positions : (n + 1, 3) vertices of an open arc, (n, 3) of a closed one, whose last edge leads
-        back to vertex 0. Two columns are taken for points of the plane z = 0.
-    closed : whether the arc is closed.
-    start_tangent, end_tangent : (3,) directions that hold the ends of an open arc. The half cell
-        between such a direction and the edge turns; without one, an end has the direction of its
-        edge, and its half cell does not turn: its curvature is then 0.
-    straight : vertices that turn by no more than this angle [rad] have no binormal of their own and
-        take that of the vertex before. Those that turn by no more than the rounding of the
-        positions explains always count as straight, of single precision if they came in it.
-    resolution : what the positions are known to [m]. Vertices that turn by no more than it explains
-        count as straight, too. Default: only the rounding of the numbers.
+    positions : (n + 1, 3) array [m]
+        Vertices of an open arc, (n, 3) of a closed one, whose last edge leads back to vertex 0. Two
+        columns are taken for points of the plane z = 0.
+    closed : bool
+        Whether the arc is closed.
+    start_tangent, end_tangent : (3,) array
+        Directions that hold the ends of an open arc. The half cell between such a direction and the
+        edge turns; without one, an end has the direction of its edge, and its half cell does not
+        turn: its curvature is then 0.
+    straight : float [rad]
+        Vertices that turn by no more than this angle have no binormal of their own and take that of
+        the vertex before. Those that turn by no more than the rounding of the positions explains
+        always count as straight, of single precision if they came in it.
+    resolution : float [m]
+        What the positions are known to. Vertices that turn by no more than it explains count as
+        straight, too. Default: only the rounding of the numbers.
 
     Raises
     ------
-    ValueError : shape, numbers that are not finite, neighbours that coincide (`without_repeats`
-        helps), neighbouring edges that are antiparallel; with the index and the remedy.
+    ValueError
+        Shape, numbers that are not finite, neighbours that coincide (`without_repeats` helps),
+        neighbouring edges that are antiparallel; with the index and the remedy.
 
     Warns
     -----
-    CurveWarning : a point nearly repeats the one before, which spoils curvature and torsion.
-
-    Angles and curvatures are invariant under rigid motion. Values at vertices are those of the
-    cells around them, which have half a length at the ends of an open arc.
+    CurveWarning
+        A point nearly repeats the one before, which spoils curvature and torsion.
     """
 
     positions: Array
@@ -109,6 +116,10 @@ class Polyline(Immutable):
         super().__setstate__(state)
         self._set(_arc=self._compiled())
 
+    @borrowed("pyrod.notebook.views:polyline_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
+
     def __repr__(self) -> str:
         kind = "closed" if self.closed else "open"
         return f"Polyline({kind}, edges={self.edges}, length={self.length:g})"
@@ -138,7 +149,7 @@ class Polyline(Immutable):
 
     @cached_property
     def cell_lengths(self) -> Array:
-        """Lengths of the cells around the vertices: half of the edges before and behind."""
+        """Lengths of the cells around the vertices, half of the edges before and behind."""
         return sealed(self._arc.cell_lengths)
 
     @cached_property
@@ -164,12 +175,13 @@ class Polyline(Immutable):
     def derivative(self, parameter: ArrayLike) -> Array:
         """(n, 3) derivative by a parameter, l/h: second order at the centres of the intervals.
 
+        Its length tells how far the parameter is from arc length (Linn, A.3).
+
         Parameters
         ----------
-        parameter : its values at the vertices, increasing; for a closed arc with the value of
-            vertex 0 after one period as a last entry: (n + 1,).
-
-        Its length tells how far the parameter is from arc length (Linn, A.3).
+        parameter : (n + 1,) array
+            Its values at the vertices, increasing; for a closed arc with the value of vertex 0
+            after one period as a last entry.
         """
         xi = array(parameter, "parameter")
         if (

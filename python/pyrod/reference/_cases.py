@@ -37,7 +37,7 @@ class NotPossible(Exception):
 class Case:
     """A sampled exact solution."""
 
-    data: dict[str, Any]
+    data: dict[str, Any]  #: what its file holds
 
     def __str__(self) -> str:
         return self.data["id"]
@@ -59,7 +59,7 @@ class Case:
 
     @property
     def first_edges(self) -> int | None:
-        """Edges to begin with if a tolerance is given; None: those that `pyrod.solve` chooses."""
+        """Edges to begin with if a tolerance is given; None if those that `pyrod.solve` chooses."""
         return notes.first_edges(str(self), self.found_alone)
 
     @property
@@ -210,7 +210,8 @@ def folder() -> Path:
 
     Raises
     ------
-    FileNotFoundError : pyrod is not installed but imported from its source folder
+    FileNotFoundError
+        Pyrod is not installed but imported from its source folder
     """
     return _installed("_reference")
 

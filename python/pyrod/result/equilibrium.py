@@ -69,7 +69,7 @@ class RodEquilibrium(Lazy, Immutable):
     bend_twist_energy: float  #: Linn (49) [J]
     stretch_shear_energy: float  #: Linn (51) [J]
     largest_K: float
-    """Largest |K| along the rod [1/m], between vertices too.
+    """Largest ``|K|`` along the rod [1/m], between vertices too.
 
     Of a solve with a tolerance that of the continuous rod, with the error that ``errors`` tells of
     ``extremes``; else of a smooth curve through the values at the vertices. So are the next two.
@@ -103,6 +103,10 @@ class RodEquilibrium(Lazy, Immutable):
         """(4,) frame of the end."""
         return self.vertex_frames[-1]
 
+    @borrowed("pyrod.notebook.views:rod_equilibrium_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
+
     def __repr__(self) -> str:
         tip = ", ".join(f"{x:.6g}" for x in self.tip)
         return f"RodEquilibrium({self.rod!r}, energy={self.energy:.6g}, tip=({tip}))"
@@ -122,19 +126,19 @@ class Equilibrium(Lazy, Immutable):
     status: str  #: "converged", or why not
     advice: str  #: the status in a sentence, with what to try
     index: int
-    """Stability index: directions in which the energy falls; -1 if there is no potential."""
+    """Stability index, the directions in which the energy falls; -1 if there is no potential."""
     residual: float  #: largest unbalanced moment on an edge, or its like [N m]
-    load_steps: int  #: 0: all loads at once; else steps in which they were brought on
-    record: dict[str, Array]  #: one entry per iteration: step [rad], residual, energy, shift, ...
+    load_steps: int  #: in which the loads were brought on; 0 if all at once
+    record: dict[str, Array]  #: an entry per iteration, of step [rad], residual, energy, ...
     time: float = field(compare=False)  #: of the solve [s]
     descents: int  #: saddles that the search has left along their unstable modes
     unknowns: int  #: of the last linear system, with the multipliers
     multipliers: int  #: components of section forces among them
     fill: float  #: entries of the factor over those of the matrix
     lowest_eigenvalue: float | None
-    """Of the second variation on the constraints, for modes with int |phi|^2 ds/L = 1 [N m]."""
+    """Of the second variation on the constraints, for modes with ``int |phi|^2 ds/L = 1`` [N m]."""
     neutral: bool
-    """It can move along ``mode`` without a change of energy: a mechanism, or one of a family."""
+    """It can move along ``mode`` without a change of energy, as a mechanism, or one of a family."""
     mode: Array | None
     """(edges of all rods, 3) turns of the edges in their frames [rad] in the lowest mode.
 
@@ -159,6 +163,11 @@ class Equilibrium(Lazy, Immutable):
         if len(rods) != 1:
             raise AttributeError(f"{name}: the scene has {len(rods)} rods; see rods[i].{name}")
         return getattr(rods[0], name)
+
+    def __dir__(self) -> list[str]:
+        """With what is known of the only rod."""
+        rods = self.__dict__["rods"]
+        return sorted({*super().__dir__(), *(dir(rods[0]) if len(rods) == 1 else ())})
 
     @property
     def errors(self) -> dict[str, float] | None:
@@ -330,6 +339,10 @@ class Equilibrium(Lazy, Immutable):
     @borrowed("pyrod.files:save")
     def save(self, path: str | Path, **options: Any) -> None:
         """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
+
+    @borrowed("pyrod.notebook.views:equilibrium_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         how = "" if self.converged else f", {self.status}"

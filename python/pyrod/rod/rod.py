@@ -13,6 +13,7 @@ import pyrod._core as _core
 from pyrod.base.arrays import array, finite, rows
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
+from pyrod.base.words import shortly
 from pyrod.curve._sampling import edge_lengths, natural_edges
 from pyrod.rod.along import Curvature, Sections, masses
 from pyrod.rod.energy import Energy
@@ -35,19 +36,27 @@ class Rod(Immutable):
 
     Parameters
     ----------
-    edge_lengths : (n,) lengths h [m] of the edges at rest, positive, not necessarily equal.
-    bending : (n + 1, 3) stiffnesses (EI1, EI2, GJ) [N m^2] at the vertices.
-    stretching : (n, 3) stiffnesses (GA1, GA2, EA) [N] of the edges; ``inf`` is rigid.
-    K0 : (n + 1, 3) material curvature at rest [1/m] at the vertices: about a1, a2, and twist.
-    model : "cosserat" (shears and stretches), "extensible" (Kirchhoff, stretches), "inextensible"
-        (Kirchhoff). Strains that a model excludes are zero whatever their stiffness.
-    placement : position (3,) and frame (4,) that the start of the rod has at rest.
-    mass_per_length : (n,) of the edges [kg/m], for `Gravity`; default: none.
+    edge_lengths : (n,) array [m]
+        Lengths h of the edges at rest, positive, not necessarily equal.
+    bending : (n + 1, 3) array [N m^2]
+        Stiffnesses (EI1, EI2, GJ) at the vertices.
+    stretching : (n, 3) array [N]
+        Stiffnesses (GA1, GA2, EA) of the edges; ``inf`` is rigid.
+    K0 : (n + 1, 3) array [1/m]
+        Material curvature at rest at the vertices: about a1, a2, and twist.
+    model : "cosserat", "extensible" or "inextensible"
+        "cosserat" shears and stretches, "extensible" (Kirchhoff) stretches, "inextensible"
+        (Kirchhoff) does neither. Strains that a model excludes are zero whatever their stiffness.
+    placement : ((3,) array [m], (4,) array)
+        Position and frame that the start of the rod has at rest.
+    mass_per_length : (n,) array [kg/m]
+        Of the edges, for `Gravity`; default: none.
 
     Raises
     ------
-    ValueError : wrong shapes, numbers that are not finite, lengths or stiffnesses that are not
-        positive, a rest shape that turns by pi or more from one edge to the next.
+    ValueError
+        Wrong shapes, numbers that are not finite, lengths or stiffnesses that are not positive, a
+        rest shape that turns by pi or more from one edge to the next.
     """
 
     edge_lengths: Array
@@ -155,11 +164,14 @@ class Rod(Immutable):
 
         Parameters
         ----------
-        length : length [m].
-        edges : number n of edges; None: `solve` chooses them, to the accuracy that is wanted.
-        section : a `Section`, a function of arc length that returns one, or a sequence of n
-            sections, one per edge.
-        model : see `Rod`; default: the richest that the section's finite stiffnesses allow.
+        length : float [m]
+            Length at rest.
+        edges : int or None
+            Number n of edges; None: `solve` chooses them, to the accuracy that is wanted.
+        section : `Section`, function or sequence
+            One for all, a function of arc length that returns one, or n of them, one per edge.
+        model : str
+            See `Rod`; default: the richest that the section's finite stiffnesses allow.
         """
         return cls.precurved(length, edges, section, (0.0, 0.0, 0.0), model)
 
@@ -176,11 +188,15 @@ class Rod(Immutable):
 
         Parameters
         ----------
-        length : length [m], or, with ``edges=None``, the lengths of the edges.
-        edges : number n of edges; None, with one length: `solve` chooses them.
-        section, model : see `Rod.straight`.
-        curvature : (K1, K2, K3) [1/m], bending about a1 and a2 and twist; or one per vertex,
-            (n + 1, 3); or a function of arc length.
+        length : float or (n,) array [m]
+            The length, or, with ``edges=None``, the lengths of the edges.
+        edges : int or None
+            Number n of edges; None, with one length: `solve` chooses them.
+        section : see `Rod.straight`
+        curvature : (3,) or (n + 1, 3) array [1/m], or function
+            (K1, K2, K3), bending about a1 and a2 and twist; or one per vertex; or a function of arc
+            length.
+        model : see `Rod.straight`
         """
         free = edges is None and array(length, "length").ndim == 0
         h = edge_lengths(length, natural_edges(length, curvature) if free else edges)
@@ -197,17 +213,19 @@ class Rod(Immutable):
     ) -> Rod:
         """A rod that has the given shape at rest, and that place unless it is clamped elsewhere.
 
-        Parameters
-        ----------
-        positions : (n + 1, 3) vertices [m]; neighbours must not coincide.
-        frames : (n, 4) quaternions or (n, 3, 3) matrices, the frame of each edge. Each is turned
-            the shortest way that brings a3 into the edge; more than 0.5 rad is refused. The signs
-            of quaternions do not matter.
-        section, model : see `Rod.straight`.
-
         The frame at the start continues the curvature of the first vertex over the half edge. The
         rod *is* the polygon: on finer grids (``tol``) all of its turn stays at these vertices,
         where its curvature is told as on its own edges.
+
+        Parameters
+        ----------
+        positions : (n + 1, 3) array [m]
+            Vertices; neighbours must not coincide.
+        frames : (n, 4) or (n, 3, 3) array
+            Quaternions or matrices, the frame of each edge. Each is turned the shortest way that
+            brings a3 into the edge; more than 0.5 rad is refused. The signs of quaternions do not
+            matter.
+        section, model : see `Rod.straight`
         """
         shape = ribbon(positions, frames)
         K0, start = rest_curvature(shape)
@@ -251,7 +269,12 @@ class Rod(Immutable):
         tangent: ArrayLike | None = None,
         normal: ArrayLike | None = None,
     ) -> Rod:
-        """The same rod with its start elsewhere at rest; arguments as for `Clamp`."""
+        """The same rod with its start elsewhere at rest.
+
+        Parameters
+        ----------
+        position, frame, tangent, normal : as for `Clamp`
+        """
         if tangent is not None:
             frame = frame_along(tangent, normal)
         place = (
@@ -307,14 +330,16 @@ class Rod(Immutable):
     ) -> Energy:
         """Elastic energy, Linn (49) and (51), with gradient and Hessian.
 
+        Strains that the rod's model excludes carry no energy.
+
         Parameters
         ----------
-        positions : (n + 1, 3).
-        frames : (n, 4) unit quaternions; their signs matter, a turn may reach 2 pi.
-        start_frame, end_frame : (4,) frames that hold the ends. An end without one has no half cell
-            and no energy there.
-
-        Strains that the rod's model excludes carry no energy.
+        positions : (n + 1, 3) array [m]
+            The vertices.
+        frames : (n, 4) array
+            Unit quaternions; their signs matter, a turn may reach 2 pi.
+        start_frame, end_frame : (4,) array
+            Frames that hold the ends. An end without one has no half cell and no energy there.
         """
         bend_twist, stretch_shear, gradient, hessian = self._rod.energy(
             rows(positions, "positions", 3),
@@ -323,6 +348,10 @@ class Rod(Immutable):
             None if end_frame is None else as_frame(end_frame, "end_frame"),
         )
         return Energy(bend_twist, stretch_shear, frozen(gradient), hessian)
+
+    @borrowed("pyrod.notebook.views:rod_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         curved = "precurved" if self.K0.any() else "straight"
@@ -333,7 +362,7 @@ class Rod(Immutable):
 def _check_model(model: Any) -> None:
     if not isinstance(model, str) or model not in _core.Model.__members__:
         raise ValueError(
-            f"model: expected one of {', '.join(_core.Model.__members__)}, got {model!r}"
+            f"model: expected one of {', '.join(_core.Model.__members__)}, got {shortly(model)}"
         )
 
 
@@ -345,5 +374,9 @@ def _checked_model(model: Model | None) -> Model | None:
 
 # What help and editors show is what the dataclass takes, not what `__new__` looks at.
 Rod.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
-    list(inspect.signature(Rod.__init__).parameters.values())[1:]
+    [
+        parameter
+        for name, parameter in inspect.signature(Rod.__init__).parameters.items()
+        if name != "self" and name[0] != "_"
+    ]
 )

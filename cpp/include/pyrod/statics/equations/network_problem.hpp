@@ -2,7 +2,7 @@
 /// \file Equilibrium of a network as a problem for the solver.
 ///
 /// Unknown are the frames of the edges, what is not known of the section forces of the spans, and
-/// the frames and positions of nodes where they are needed (docs/theory.md, "Networks").
+/// the frames and positions of nodes where they are needed (theory (15)).
 #pragma once
 
 #include <pyrod/core/hessian.hpp>
