@@ -15,7 +15,7 @@ from pyrod.reference import Case, load
 from pyrod.reference import _notes as notes
 from pyrod.rotation import multiply
 
-FOLDER = Path(os.environ.get("PYROD_REFERENCE", Path(__file__).parents[1] / "reference"))
+FOLDER = Path(os.environ.get("PYROD_REFERENCE", Path(__file__).parents[2] / "reference"))
 CASES = load(FOLDER)
 
 

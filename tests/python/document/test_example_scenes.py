@@ -11,7 +11,7 @@ import pytest
 import pyrod
 from pyrod.document import load_file
 
-FOLDER = Path(__file__).parents[2] / "examples" / "scenes"
+FOLDER = Path(__file__).parents[3] / "examples" / "scenes"
 
 
 def solved(name: str) -> pyrod.Equilibrium:

@@ -12,7 +12,7 @@ from pyrod.document import read, schema
 from pyrod.document.tables import REQUIRED, Form, Key
 from pyrod.files import _RESULTS
 
-PAGE = (Path(__file__).parents[2] / "docs" / "files.md").read_text()
+PAGE = (Path(__file__).parents[3] / "docs" / "files.md").read_text()
 KINDS: list[Form] = [
     schema.SCENE,
     schema.MATERIAL,

@@ -23,7 +23,7 @@ from sphinx.util.inventory import InventoryFile
 
 pytestmark = pytest.mark.outside
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SHARED = ("benchmarks", "cpp", "examples", "tests")
 MODULES = [pyrod, pyrod.rotation, pyrod.curve, reference, plot]
 

@@ -16,7 +16,7 @@ import pytest
 import pyrod
 from pyrod.base.borrowed import Borrowed
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SOURCE = ROOT / "python" / "pyrod"
 CONTRACT = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]
 LAYERS = [layer.split(" | ") for layer in CONTRACT["contracts"][0]["layers"]]

@@ -14,7 +14,7 @@ import pyrod.reference
 
 pytestmark = pytest.mark.outside
 
-SOURCE = Path(__file__).parents[2]
+SOURCE = Path(__file__).parents[3]
 EXAMPLE = SOURCE / "examples" / "cpp"
 ONE_FILE = """
 #include <pyrod/sparse/ldlt.hpp>

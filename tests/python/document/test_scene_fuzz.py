@@ -16,7 +16,7 @@ import pyrod
 from pyrod.document import read, schema
 from pyrod.document.schema import LOADS, ROD, SCENE, SUPPORTS
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SEEDS = [tomllib.loads(p.read_text()) for p in sorted((ROOT / "examples/scenes").glob("*.toml"))]
 
 WORDS = st.sampled_from(

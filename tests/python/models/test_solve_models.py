@@ -13,7 +13,7 @@ import pyrod
 from pyrod import Clamp, DistributedForce, Force, Options, Rod, Scene, Section
 from pyrod.reference import load as cases
 
-REFERENCE = Path(__file__).parents[1] / "reference"
+REFERENCE = Path(__file__).parents[2] / "reference"
 BEAM = Section(1.0, 1.5, 0.7, 4e4, 4e4, 1e5)
 
 

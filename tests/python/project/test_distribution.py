@@ -18,7 +18,7 @@ import yaml
 
 import pyrod
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "scripts"))
+sys.path.insert(0, str(Path(__file__).parents[3] / "scripts"))
 
 import check_wheel
 import repair_wheel
@@ -26,7 +26,7 @@ from check_wheel import WrongWheel
 
 pytestmark = pytest.mark.outside
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 METADATA = "Name: pyrod\nLicense-Expression: BSD-3-Clause\nLicense-File: LICENSE\n\nText\n"
 PYTHONS = ["3.11", "3.12", "3.13", "3.14"]

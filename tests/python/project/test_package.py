@@ -21,7 +21,7 @@ from pyrod import plot
 pytestmark = pytest.mark.outside
 
 PACKAGE = Path(pyrod.__path__[0])
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 
 def blocks(document: str) -> list[str]:

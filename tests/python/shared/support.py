@@ -23,7 +23,7 @@ SOFT = pyrod.Section(EI1=1.0, EI2=1.3, GJ=0.8, GA1=60.0, GA2=80.0, EA=150.0)
 """A section for unit length whose shear and stretch are seen; anisotropic."""
 ROUND = pyrod.Section(EI1=1.0, EI2=1.0, GJ=0.7)
 """An isotropic section, neither shearable nor extensible."""
-REFERENCE = Path(__file__).parents[1] / "reference"
+REFERENCE = Path(__file__).parents[2] / "reference"
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 X, Y, Z = np.eye(3)
 FLAT = pyrod.Section(EI1=4.0, EI2=1.0, GJ=2.0)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[2] / "cpp" / "include"
+ROOT = Path(__file__).parents[3] / "cpp" / "include"
 pytestmark = pytest.mark.skipif(not ROOT.is_dir(), reason="needs the sources")
 
 BELOW = {
