@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE / "_ext"), str(HERE.parent / "examples")]
+sys.path[:0] = [str(HERE / "_ext"), str(HERE / "figures")]
 
 import pyrod  # noqa: E402
 

@@ -8,7 +8,7 @@ from io import StringIO
 from pathlib import Path
 from types import SimpleNamespace
 
-PAGES = Path(__file__).parents[2] / "docs"
+PAGES = Path(__file__).parents[2]
 
 
 def run(page: str) -> SimpleNamespace:

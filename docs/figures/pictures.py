@@ -1,4 +1,4 @@
-"""Pictures of equilibria for the pages: each is drawn by the program of its name in ``plot``.
+"""Pictures of equilibria for the pages, each by the program of its name in ``examples/plot``.
 
 Usage: pictures.py [FOLDER [NAME ...]]: writes the pictures, or those that are named.
 """

@@ -21,6 +21,7 @@ from pyrod import Equilibrium
 from pyrod.rotation import rotate
 
 Array = np.ndarray
+PROGRAMS = Path(__file__).parents[3] / "examples" / "plot"
 # Okabe and Ito
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9",
@@ -115,8 +116,8 @@ def order_line(ax: Any, n: Array, at: float, p: int, label_at: int = -1) -> None
 
 
 def drawn(script: str) -> Figure:
-    """The picture of a program of the folder ``plot``."""
-    run_path(str(Path(__file__).parents[1] / "plot" / f"plot_{script}.py"))
+    """The picture of a program of the folder ``examples/plot``."""
+    run_path(str(PROGRAMS / f"plot_{script}.py"))
     return plt.gcf()
 
 
