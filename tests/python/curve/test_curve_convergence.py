@@ -9,6 +9,8 @@ difference of its edges. What that leaves of each order is asserted, from both s
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -232,36 +234,52 @@ def bishop_strains(smooth: SmoothCurve, t: np.ndarray) -> np.ndarray:
 STRAINS = {"Frenet": frenet_strains, "Bishop": bishop_strains}
 
 
-def reconstruction_errors(smooth: SmoothCurve, h: np.ndarray, kind: str, measure: str) -> Errors:
+class Exact(NamedTuple):
+    """A smooth curve where edges of given lengths have their vertices and centres."""
+
+    smooth: SmoothCurve
+    kind: str
+    h: np.ndarray
+    t: np.ndarray
+    frames: np.ndarray
+    K: np.ndarray
+
+
+def exact_on(smooth: SmoothCurve, h: np.ndarray, kind: str) -> Exact:
     s = np.append(0, np.cumsum(h))
     t = smooth.parameters_at(s)
     middle = np.append(t[0], smooth.parameters_at(s[1:] - h / 2))
     R = smooth.frenet(middle)[2] if kind == "Frenet" else smooth.bishop(middle)
-    exact = rotation.from_matrix(R)
-    start = smooth.derivative(t[0]), exact[0]
-    K = STRAINS[kind](smooth, t)
+    return Exact(smooth, kind, h, t, rotation.from_matrix(R), STRAINS[kind](smooth, t))
+
+
+@cache
+def exact_on_even(smooth: SmoothCurve, n: int, kind: str) -> Exact:
+    """The same for all measures."""
+    return exact_on(smooth, np.full(n, smooth.data["values"]["length"] / n), kind)
+
+
+def reconstruction_errors(exact: Exact, measure: str) -> Errors:
+    smooth, kind, h, t, frames, K = exact
+    start = smooth.derivative(t[0]), frames[0]
     if measure == "log":
         made = curve.FramedCurve.sampled(h, None, K, (0, 0, 1), *start)
     else:
         made = curve.FramedCurve.from_strains(h, K, None, *start, measure=measure)
     error = {"positions": largest(made.polyline.positions - smooth.derivative(t))}
-    frames = largest(angle_between(made.frames, exact[1:]))
+    turned = largest(angle_between(made.frames, frames[1:]))
     if smooth is HELIX and kind == "Frenet" and measure == "log":
-        assert frames < 1e-12  # exact for constant strain; the rest is rounding
+        assert turned < 1e-12  # exact for constant strain; the rest is rounding
         return error
-    return error | {"frames": frames}
+    return error | {"frames": turned}
 
 
 @pytest.mark.parametrize("measure", MEASURES)
 @pytest.mark.parametrize("kind", ["Frenet", "Bishop"])
 @pytest.mark.parametrize("smooth", SMOOTH, ids=repr)
 def test_reconstruction_is_second_order(smooth: SmoothCurve, kind: str, measure: str) -> None:
-    length = smooth.data["values"]["length"]
-
-    def errors(n: int) -> Errors:
-        return reconstruction_errors(smooth, np.full(n, length / n), kind, measure)
-
-    assert_ratios([errors(n) for n in (512, 1024, 2048)])
+    exact = [exact_on_even(smooth, n, kind) for n in (512, 1024, 2048)]
+    assert_ratios([reconstruction_errors(e, measure) for e in exact])
 
 
 @pytest.mark.parametrize("kind", ["Frenet", "Bishop"])
@@ -272,7 +290,7 @@ def test_reconstruction_on_bisected_uneven_grids_is_second_order(
     h, levels = np.random.default_rng(3).uniform(1, 3, 256), []
     h *= smooth.data["values"]["length"] / h.sum()
     for _ in range(3):
-        levels.append(reconstruction_errors(smooth, h, kind, "log"))
+        levels.append(reconstruction_errors(exact_on(smooth, h, kind), "log"))
         h = np.repeat(h / 2, 2)
     assert_ratios(levels)
 

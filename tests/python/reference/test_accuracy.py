@@ -7,6 +7,9 @@ hundred times as far as it is. Below 1e-12 nothing is compared: this is rounding
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 import pytest
@@ -42,6 +45,33 @@ def solved(case: Case, space: str, tol: float) -> Equilibrium:
         return pyrod.solve(case.scene(edges, space), tol=tol, **how)
 
 
+@dataclass(frozen=True)
+class Level:
+    """What is told of a result that was solved to a tolerance, and what is true of it."""
+
+    tol: float
+    told: Mapping[str, float]
+    errors: Mapping[str, float]
+    nearest: Mapping[str, float]  #: errors against the nearest one of a circle of solutions
+    reached: float
+    converged: bool
+    regular: bool
+
+
+@cache
+def levels(name: str, space: str) -> list[Level]:
+    """One for each tolerance: solved once for all tests."""
+    (case,) = (case for case in CASES if str(case) == name)
+    return [level(case, solved(case, space, tol), tol) for tol in TOLERANCES]
+
+
+def level(case: Case, result: Equilibrium, tol: float) -> Level:
+    accuracy = result.accuracy
+    errors, nearest = case.errors(result), case.nearest(result).errors(result)
+    told = accuracy.errors
+    return Level(tol, told, errors, nearest, accuracy.reached, result.converged, accuracy.regular)
+
+
 def is_neutral(case: Case) -> bool:
     """Which of a circle of equilibria is found is chance, to within rounding over 1e-6."""
     return str(case).startswith((*notes.CIRCLES, "S7", "S6")) or str(case).endswith("_meet")
@@ -49,38 +79,35 @@ def is_neutral(case: Case) -> bool:
 
 @pytest.mark.parametrize(("case", "space"), parameters(CASES))
 def test_estimates_hold(case: Case, space: str) -> None:
-    for tol in TOLERANCES:
-        result = solved(case, space, tol)
-        errors = case.nearest(result).errors(result)
-        for quantity, error in errors.items():
-            told = result.accuracy.errors[quantity]
-            assert error <= max(told, case.rounding), f"{quantity} at {tol}: {error}, told {told}"
+    for level in levels(str(case), space):
+        for quantity, error in level.nearest.items():
+            told = level.told[quantity]
+            message = f"{quantity} at {level.tol}: {error}, told {told}"
+            assert error <= max(told, case.rounding), message
 
 
 @pytest.mark.parametrize(
     ("case", "space"), parameters([case for case in CASES if not is_neutral(case)])
 )
 def test_estimates_are_tight_and_tolerances_reached(case: Case, space: str) -> None:
-    for tol in TOLERANCES:
-        result = solved(case, space, tol)
-        assert result.converged
-        assert result.accuracy.regular
-        assert result.accuracy.reached <= tol
-        for quantity, error in case.errors(result).items():
-            told = result.accuracy.errors[quantity]
+    for level in levels(str(case), space):
+        assert level.converged
+        assert level.regular
+        assert level.reached <= level.tol
+        for quantity, error in level.errors.items():
+            told = level.told[quantity]
             if (str(case), quantity) not in LOOSE:
-                assert told <= 100 * max(error, notes.ROUNDING), (
-                    f"{quantity} at {tol}: {error}, {told}"
-                )
+                message = f"{quantity} at {level.tol}: {error}, {told}"
+                assert told <= 100 * max(error, notes.ROUNDING), message
 
 
 @pytest.mark.parametrize(
     ("case", "space"), parameters([case for case in CASES if is_neutral(case)])
 )
 def test_neutral_equilibria_reach_what_chance_allows(case: Case, space: str) -> None:
-    result = solved(case, space, 1e-6)
-    assert result.converged
-    assert result.accuracy.reached <= 1e-6
+    (level,) = (level for level in levels(str(case), space) if level.tol == 1e-6)
+    assert level.converged
+    assert level.reached <= 1e-6
 
 
 # Cantilevers that need 256 edges or fewer for 1e-12; of more, rounding is larger.

@@ -77,6 +77,32 @@ def test_is_an_equilibrium_near_its_samples(case: Case, space: str) -> None:
     check(case, space, solve)
 
 
+@pytest.mark.parametrize("tol", [1e-4, 1e-10])
+@pytest.mark.parametrize(
+    "case",
+    [
+        c
+        for c in CASES
+        if str(c).startswith(
+            ("P5_heavy_w100", "S1_intrinsic", "S3_cosserat", "S4_generic_cosserat")
+        )
+    ],
+    ids=str,
+)
+def test_constant_curvatures_and_loads_may_be_functions(case: Case, tol: float) -> None:
+    """Scenes of cases are given vectors; functions that do not vary are sampled to the same."""
+    scene = case.scene(None)
+    rod, section = scene.rod, case.section()
+    K0, f, l = (case.along(key) for key in ("K0", "f", "l"))  # noqa: E741
+    sampled = pyrod.Rod.precurved(rod.length, None, section, K0, rod.model)
+    loads = [pyrod.DistributedForce(f), pyrod.DistributedMoment(l), *scene.loads[2:]]
+    same = pyrod.Scene(sampled, scene.supports, loads, scene.space)
+    a, b = pyrod.solve(scene, tol=tol), pyrod.solve(same, tol=tol)
+    assert a.accuracy.finest_edges == b.accuracy.finest_edges
+    np.testing.assert_allclose(a.positions, b.positions, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(a.moment, b.moment, rtol=0, atol=1e-11 * np.abs(a.moment).max())
+
+
 # What the table of the folder promises ------------------------------------------------------------
 
 

@@ -164,7 +164,10 @@ class SmoothCurve:
     """
 
     def __init__(self, name: str, end: float, waves: Any, powers: Any = (), start: float = 0.0):
-        self.name, self.start, self.end, self.waves = name, start, end, waves
+        self.name, self.start, self.end = name, start, end
+        self.frequencies = np.array([w for w, _, _ in waves], dtype=float)
+        self.cosines = np.reshape([c for _, c, _ in waves], (-1, 3)).astype(float)
+        self.sines = np.reshape([s for _, _, s in waves], (-1, 3)).astype(float)
         self.powers = np.reshape(powers, (-1, 3)).astype(float)
         self.data = json.loads((REFERENCE / f"G_{name}.json").read_text())
         self.closed = self.data["closed"]
@@ -176,11 +179,9 @@ class SmoothCurve:
 
     def derivative(self, t: Array, order: int = 0) -> Array:
         """The derivative of the position by the parameter, (..., 3)."""
-        t = np.asarray(t, dtype=float)[..., None]
-        out = np.zeros((*t.shape[:-1], 3))
-        for w, cosine, sine in self.waves:
-            x = w * t + order * np.pi / 2
-            out += w**order * (np.cos(x) * np.array(cosine) + np.sin(x) * np.array(sine))
+        t, w = np.asarray(t, dtype=float)[..., None], self.frequencies
+        x, scale = w * t + order * np.pi / 2, w[:, None] ** order
+        out = np.cos(x) @ (scale * self.cosines) + np.sin(x) @ (scale * self.sines)
         for k, coefficient in enumerate(self.powers[order:], order):
             out += factorial(k) / factorial(k - order) * t ** (k - order) * coefficient
         return out
