@@ -27,7 +27,7 @@ def large(n: int) -> Scene:
 @needs_ctrl_c
 def test_ctrl_c_stops_a_solve_within_an_iteration(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pressed after the first line is printed, while the second iteration is under way."""
-    scene = large(500_000)
+    scene = large(200_000)
     with ctrl_c_after(1, monkeypatch) as lines:
         pyrod.solve(scene, verbose=True)
     assert 1 <= len(lines) <= 2  # of seven
@@ -65,7 +65,7 @@ def test_ctrl_c_stops_sums_over_pairs_of_edges(ask: Callable[[Polyline], object]
 
 
 def test_other_threads_run_during_a_sum_over_pairs_of_edges() -> None:
-    arc, done, wakes = coil(5000), threading.Event(), 0
+    arc, done, wakes = coil(2500), threading.Event(), 0
 
     def count() -> None:
         nonlocal wakes
@@ -104,7 +104,7 @@ def test_other_threads_run_during_a_solve() -> None:
             wakes += 1
 
     thread = threading.Thread(target=count)
-    scene = large(200_000)
+    scene = large(100_000)
     thread.start()
     before = wakes
     result = pyrod.solve(scene)

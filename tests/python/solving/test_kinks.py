@@ -172,12 +172,15 @@ def test_smooth_functions_have_none(function: Callable[[float], object]) -> None
     assert found == ((), False)
 
 
+ZIGZAG = np.linspace(0, 1, 401), np.arange(401.0) % 3
+
+
 @pytest.mark.parametrize(
     "function",
     [
         lambda s: (1 + 1e-5 * np.sin(1e9 * s**2), 0, 0),  # noise, to samples
         lambda s: (np.sqrt(s), 0, 0),
-        lambda s: (np.interp(s, np.linspace(0, 1, 401), np.arange(401) % 3), 0, 0),
+        lambda s: (np.interp(s, *ZIGZAG), 0, 0),
     ],
     ids=["noise", "singular", "too many"],
 )

@@ -58,8 +58,8 @@ def test_each_iteration_of_each_grid_is_printed(capsys: pytest.CaptureFixture[st
 
 @needs_ctrl_c
 def test_ctrl_c_stops_a_climb(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Pressed while a grid of a hundred thousand edges, or twice that, is solved."""
-    scene = bent(100_000)
+    """Pressed while a grid of fifty thousand edges, or twice that, is solved."""
+    scene = bent(50_000)
     with ctrl_c_after(6, monkeypatch) as lines:
         pyrod.solve(scene, tol=1e-9, verbose=True)
     assert 6 <= len(lines) <= 9

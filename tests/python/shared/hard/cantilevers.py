@@ -235,7 +235,7 @@ def million(space: str) -> Hard:
         "reference",
         on_every_grid=1e-9,
         unit=1.5,
-        long=space == "spatial",
+        long=True,
     )
 
 
