@@ -34,14 +34,25 @@ def assert_same(a: Scene, b: Scene) -> None:
         assert np.array_equal(first[1], second[1])
 
 
-@settings(max_examples=60, suppress_health_check=list(HealthCheck))
-@given(scenes())
-def test_what_is_written_is_read_as_the_same(scene: Scene) -> None:
+def check_both_ways(scene: Scene) -> None:
     plain = write(scene)
     assert_same(read(plain), scene)
     assert write(read(plain)) == plain
     assert_same(read(tomllib.loads(dumps(plain))), scene)
     assert_same(read(json.loads(json_text(plain))), scene)
+
+
+@settings(max_examples=25, suppress_health_check=list(HealthCheck))
+@given(scenes())
+def test_what_is_written_is_read_as_the_same(scene: Scene) -> None:
+    check_both_ways(scene)
+
+
+@pytest.mark.long
+@settings(max_examples=300, suppress_health_check=list(HealthCheck))
+@given(scenes())
+def test_many_that_are_written_are_read_as_the_same(scene: Scene) -> None:
+    check_both_ways(scene)
 
 
 @pytest.mark.parametrize("space", ["planar", "spatial"])

@@ -92,9 +92,16 @@ def mutants(draw: Any) -> dict[str, Any]:
     return document
 
 
-@settings(PLAIN, max_examples=300)
+@settings(PLAIN, max_examples=100)
 @given(mutants())
 def test_mutants_of_examples_are_read_or_refused(document: dict[str, Any]) -> None:
+    check(document)
+
+
+@pytest.mark.long
+@settings(PLAIN, max_examples=1500)
+@given(mutants())
+def test_many_mutants_of_examples_are_read_or_refused(document: dict[str, Any]) -> None:
     check(document)
 
 

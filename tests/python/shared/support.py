@@ -179,16 +179,26 @@ class SmoothCurve:
 
     def derivative(self, t: Array, order: int = 0) -> Array:
         """The derivative of the position by the parameter, (..., 3)."""
+        return self.derivatives(t, order)[0]
+
+    def derivatives(self, t: Array, *orders: int) -> list[Array]:
+        """Several of them, with the waves computed once."""
         t, w = np.asarray(t, dtype=float)[..., None], self.frequencies
-        x, scale = w * t + order * np.pi / 2, w[:, None] ** order
-        out = np.cos(x) @ (scale * self.cosines) + np.sin(x) @ (scale * self.sines)
-        for k, coefficient in enumerate(self.powers[order:], order):
-            out += factorial(k) / factorial(k - order) * t ** (k - order) * coefficient
+        c, s = np.cos(w * t), np.sin(w * t)
+        waves = [(c, s), (-s, c), (-c, -s), (s, -c)]  # differentiated so many times
+        out = []
+        for order in orders:
+            cosine, sine = waves[order % 4]
+            scale = w[:, None] ** order
+            value = cosine @ (scale * self.cosines) + sine @ (scale * self.sines)
+            for k, coefficient in enumerate(self.powers[order:], order):
+                value += factorial(k) / factorial(k - order) * t ** (k - order) * coefficient
+            out.append(value)
         return out
 
     def frenet(self, t: Array) -> tuple[Array, Array, Array]:
         """Curvature, torsion, and the matrices (n, b, t)."""
-        d1, d2, d3 = (self.derivative(t, k) for k in (1, 2, 3))
+        d1, d2, d3 = self.derivatives(t, 1, 2, 3)
         speed = np.linalg.norm(d1, axis=-1)
         across = np.cross(d1, d2)
         area = np.linalg.norm(across, axis=-1)
