@@ -84,6 +84,11 @@ class Case:
         slope = np.array(self.data.get(key + "_slope", [0, 0, 0]), dtype=float)
         return lambda s: value + slope * s
 
+    def _given(self, key: str) -> Array | Callable[[float], Array]:
+        """The same as scenes are given it: one vector where it does not vary."""
+        function = self.along(key)
+        return function if np.any(self.data.get(key + "_slope", 0.0)) else function(0.0)
+
     def section(self) -> Section | Callable[[float], Section]:
         """The section, or a function of arc length if a stiffness varies."""
 
@@ -107,12 +112,12 @@ class Case:
         """
         space = space or self.spaces[0]
         rod = Rod.precurved(
-            self.data["L"], edges, self.section(), self.along("K0"), _MODELS[self.data["model"]]
+            self.data["L"], edges, self.section(), self._given("K0"), _MODELS[self.data["model"]]
         )
         start, end = self.data["bc"]["s0"], self.data["bc"]["sL"]
         loads: list[Load] = [
-            DistributedForce(self.along("f")),
-            DistributedMoment(self.along("l")),
+            DistributedForce(self._given("f")),
+            DistributedMoment(self._given("l")),
         ]
         if start["type"] == "clamped":
             supports: list[Support] = [Clamp(start["r"], start["q"])]
