@@ -13,7 +13,7 @@ from time import perf_counter
 
 import pyrod
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "python"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "python" / "shared"))
 
 from hard import CASES
 from hard.case import Hard

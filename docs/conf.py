@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE / "_ext"), str(HERE.parent / "examples")]
+sys.path.insert(0, str(HERE / "figures"))
 
 import pyrod  # noqa: E402
 
@@ -16,7 +16,6 @@ copyright = author
 version = release = pyrod.__version__
 
 extensions = [
-    "fields",
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
@@ -30,7 +29,7 @@ nitpick_ignore = [("py:obj", "scipy.sparse.csc_array")]
 # Pages: the same files are read on GitHub, so formulas are text and anchors are GitHub's.
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
-exclude_patterns = ["_ext", "gallery/*.md5", "gallery/*.py", "gallery/*.ipynb"]
+exclude_patterns = ["gallery/*.md5", "gallery/*.py", "gallery/*.ipynb"]
 
 # Reference: shapes and units are in the docstrings, so signatures show names and defaults only.
 default_role = "py:obj"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bind.hpp"
 
-#include <pyrod/scene/breaks.hpp>
+#include <pyrod/scene/break_search.hpp>
 
 namespace pyrod::bind {
 

@@ -4,7 +4,7 @@
 #include "parts.hpp"
 
 #include <pyrod/rod/energy.hpp>
-#include <pyrod/scene/with_vertices.hpp>
+#include <pyrod/scene/rod_spec.hpp>
 
 namespace pyrod::bind {
 

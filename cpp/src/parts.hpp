@@ -4,6 +4,7 @@
 
 #include "bind.hpp"
 
+#include <pyrod/scene/rod_on_grid.hpp>
 #include <pyrod/scene/scene.hpp>
 
 #include <string_view>

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod.base.arrays import Array, array, is_rotation
+from pyrod.base.words import shortly
 
 
 def quaternions(values: Any, name: str) -> Array:
@@ -63,7 +64,7 @@ def log(quaternion: ArrayLike) -> Array:
 
 
 def cayley(vector: ArrayLike) -> Array:
-    """(1 + q)/(1 - q): turns by theta with tan(theta/4) = |q| (Linn 2020, note 3)."""
+    """(1 + q)/(1 - q): turns by theta with ``tan(theta/4) = |q|`` (Linn 2020, note 3)."""
     return _rowwise(_core.rotation.cayley, array(vector, "vector"), 3, "vector")
 
 
@@ -179,6 +180,8 @@ def frame_along(tangent: ArrayLike, normal: ArrayLike | None = None) -> Array:
 def _direction(values: ArrayLike, name: str) -> Array:
     v = array(values, name)
     if v.shape != (3,) or not np.isfinite(v).all() or not v.any():
-        raise ValueError(f"{name}: expected a vector of 3 finite numbers, not zero, got {values!r}")
+        raise ValueError(
+            f"{name}: expected a vector of 3 finite numbers, not zero, got {shortly(values)}"
+        )
     v = v / np.abs(v).max()  # so that squares neither overflow nor vanish
     return v / np.linalg.norm(v)

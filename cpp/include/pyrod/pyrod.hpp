@@ -13,8 +13,3 @@
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/scene.hpp>
 #include <pyrod/scene/plane.hpp>
-#include <pyrod/statics/scene_solver.hpp>
-
-#ifdef PYROD_COMPILED
-#include <pyrod/statics/ladder/compiled.hpp>
-#endif

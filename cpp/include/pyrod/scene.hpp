@@ -5,7 +5,6 @@
 
 #include <pyrod/rotation/frame_along.hpp>
 #include <pyrod/scene/scene.hpp>
-#include <pyrod/scene/with_vertices.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/solver.hpp>
 

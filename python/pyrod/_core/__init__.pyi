@@ -97,7 +97,7 @@ class Options:
     @property
     def max_time(self) -> float:
         """
-        seconds that the grids of a tolerance may take: none is begun that would end later, if it took as long as the one before
+        seconds that the grids of a tolerance may take; none is begun that would end later, if it took as long as the one before
         """
     @property
     def near(self) -> float:

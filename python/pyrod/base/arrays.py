@@ -14,6 +14,8 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pyrod.base.words import shortly
+
 Array = NDArray[np.float64]
 
 _REAL = "biuf"
@@ -80,7 +82,7 @@ def number_as(value: Any, name: str, wanted: str) -> float:
         return number(value, name)
     except (TypeError, ValueError) as error:
         raise ValueError(
-            f"{name}: {wanted}, got {value!r}; {str(error).removeprefix(f'{name}: ')}"
+            f"{name}: {wanted}, got {shortly(value)}; {str(error).removeprefix(f'{name}: ')}"
         ) from None
 
 
@@ -97,7 +99,7 @@ def whole(value: Any, name: str) -> int:
 def yes_or_no(value: Any, name: str) -> bool:
     """A truth; 0 and 1 are some."""
     if not isinstance(value, (bool, np.bool_)) and not (type(value) is int and value in (0, 1)):
-        raise TypeError(f"{name}: expected True or False, got {value!r}")
+        raise TypeError(f"{name}: expected True or False, got {shortly(value)}")
     return bool(value)
 
 
@@ -203,6 +205,6 @@ def _refuse_kind(values: Any, dtype: np.dtype[Any], name: str) -> NoReturn:
 def _told(value: Any) -> str:
     """What came, in few words."""
     if value is None or isinstance(value, (str, bytes, bool)):
-        return repr(value)
+        return shortly(value)
     kind = type(value).__name__
     return f"{'an' if kind[:1].lower() in 'aeio' else 'a'} {kind}"

@@ -35,11 +35,13 @@ def get_include() -> str:
 
     Returns
     -------
-    str : an absolute path
+    str
+        An absolute path.
 
     Raises
     ------
-    FileNotFoundError : pyrod is not installed but imported from its source folder
+    FileNotFoundError
+        pyrod is not installed but imported from its source folder.
     """
     return str(folder("include").absolute())
 

@@ -115,6 +115,11 @@ def same(a: Any, b: Any) -> bool:
 class Immutable:
     """Base of the frozen dataclasses: equality of arrays, and pickles that stay read-only."""
 
+    def __dir__(self) -> list[str]:
+        """What completion shows: what exists, made already or not, and nothing private."""
+        names = {*super().__dir__(), *(f.name for f in fields(self))}  # type: ignore[arg-type]
+        return sorted(name for name in names if name[0] != "_" or name[:2] == "__")
+
     def _set(self, **values: Any) -> None:
         self.__dict__.update(values)
 

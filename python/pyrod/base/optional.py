@@ -15,4 +15,4 @@ def need(module: str, extra: str) -> Any:
             raise
         raise ImportError(
             f"{error.name} is not installed, which this needs: pip install 'pyrod[{extra}]'"
-        ) from error
+        ) from None

@@ -38,7 +38,7 @@ HEAD = f"{'case':34s} {'space':8s} {'edges':>6s} {'time [ms]':>9s} {'told':>9s} 
 
 
 @dataclass(frozen=True)
-class Row:
+class CheckRow:
     """One case in one space."""
 
     case: str
@@ -103,7 +103,7 @@ def _is_asked(case: Case, patterns: list[str]) -> bool:
     return any(fnmatch(str(case), pattern) for pattern in patterns)
 
 
-def _rows(todo: list[tuple[Case, Space]], tol: float, output: Output) -> Iterator[Row]:
+def _rows(todo: list[tuple[Case, Space]], tol: float, output: Output) -> Iterator[CheckRow]:
     """On a terminal the table itself shows how far it is."""
     looks = not output.json and not sys.stdout.isatty()
     with progress_shown(looks, len(todo), "cases") as show:
@@ -115,7 +115,7 @@ def _rows(todo: list[tuple[Case, Space]], tol: float, output: Output) -> Iterato
             yield row
 
 
-def _row(case: Case, space: Space, tol: float) -> Row:
+def _row(case: Case, space: Space, tol: float) -> CheckRow:
     """One line of the table."""
     edges = case.first_edges
     start = None if case.found_alone or edges is None else case.start(edges)
@@ -129,7 +129,7 @@ def _row(case: Case, space: Space, tol: float) -> Row:
     errors = case.nearest(result).errors(result)
     excess = {name: error / max(told[name], case.rounding) for name, error in errors.items()}
     worst = max(errors, key=lambda name: excess[name])
-    return Row(
+    return CheckRow(
         str(case),
         space,
         result.accuracy.finest_edges,

@@ -16,13 +16,14 @@ from pyrod.curve._polyline import Polyline
 def derivative(arc: Polyline, parameter: ArrayLike) -> Array:
     """(n, 3) derivative by a parameter, l/h: second order at the centres of the intervals.
 
+    Its length tells how far the parameter is from arc length (Linn, A.3).
+
     Parameters
     ----------
-    arc : the polyline.
-    parameter : its values at the vertices, increasing; for a closed arc with the value of
-        vertex 0 after one period as a last entry: (n + 1,).
-
-    Its length tells how far the parameter is from arc length (Linn, A.3).
+    arc : `Polyline`
+    parameter : (n + 1,) array
+        Its values at the vertices, increasing; for a closed arc with the value of vertex 0
+        after one period as a last entry.
     """
     xi = array(parameter, "parameter")
     if xi.shape != (arc.edges + 1,) or not np.isfinite(xi).all() or not (np.diff(xi) > 0).all():
@@ -51,8 +52,14 @@ def at_vertices(arc: Polyline, values: ArrayLike, *, ends: Ends = "free") -> Arr
     """Values given per edge, (n, ...), at the vertices: linear between the edge centres.
 
     At the ends of an open arc on the continuation of the last line. Second order on any grid.
-    ``ends="continued"``: edges to ends that no tangent holds have the values of the next ones,
-    whatever is given. So it is always for the arc's own `torsion`, as it is not known there.
+
+    Parameters
+    ----------
+    arc : `Polyline`
+    values : (n, ...) array
+    ends : "free" or "continued"
+        "continued": edges to ends that no tangent holds have the values of the next ones, whatever
+        is given. So it is always for the arc's own `torsion`, as it is not known there.
     """
     x = array(values, "values")
     if x.shape[:1] == (arc.edges,):

@@ -16,13 +16,16 @@ def bishop_from_frenet(curvature: ArrayLike, dihedral_angles: ArrayLike) -> Arra
 
     Parameters
     ----------
-    curvature : (n + 1,) kappa at the vertices, in any measure; (n,) if the curve is closed.
-    dihedral_angles : (n,) angles alpha of the edges [rad]: torsion times edge length.
+    curvature : (n + 1,) array [1/m]
+        kappa at the vertices, in any measure; (n,) if the curve is closed.
+    dihedral_angles : (n,) array [rad]
+        Angles alpha of the edges: torsion times edge length.
 
     Returns
     -------
-    (n + 1, 3) or (n, 3): K = (kappa1, kappa2, 0). Exact at any coarseness: parallel transport keeps
-    binormals at vertices, and along an edge they turn by alpha.
+    (n + 1, 3) or (n, 3) array [1/m]
+        K = (kappa1, kappa2, 0). Exact at any coarseness: parallel transport keeps binormals at
+        vertices, and along an edge they turn by alpha.
     """
     return _core.curve.bishop_curvature(
         finite(curvature, "curvature"), finite(dihedral_angles, "dihedral_angles")
@@ -32,13 +35,14 @@ def bishop_from_frenet(curvature: ArrayLike, dihedral_angles: ArrayLike) -> Arra
 def frenet_from_bishop(K: ArrayLike) -> tuple[Array, Array]:
     """The inverse of `bishop_from_frenet`: curvature and dihedral angles, from -pi to pi.
 
-    Parameters
-    ----------
-    K : (n + 1, 3) curvatures in Bishop frames at the vertices of an open curve; the third column,
-        which is zero there, is not looked at.
-
     Where the curvature vanishes the binormal stays as it was, so that the whole angle falls on the
     edge into the next bent vertex.
+
+    Parameters
+    ----------
+    K : (n + 1, 3) array [1/m]
+        Curvatures in Bishop frames at the vertices of an open curve; the third column, which is
+        zero there, is not looked at.
     """
     return _core.curve.frenet_numbers(rows(K, "K", 3))
 
@@ -48,13 +52,16 @@ def without_repeats(
 ) -> tuple[Array, Array]:
     """Leaves out vertices that coincide with the one kept before them.
 
+    Returns the vertices that are kept, and their indices.
+
     Parameters
     ----------
-    positions : (m, 3) or (m, 2) vertices.
-    closed : the last vertex is also compared with the first, which repeats it in many files.
-    distance : two vertices coincide if they are no farther apart than this.
-
-    Returns the vertices that are kept, and their indices.
+    positions : (m, 3) or (m, 2) array [m]
+        Vertices.
+    closed : bool
+        Whether the last vertex is also compared with the first, which repeats it in many files.
+    distance : float [m]
+        Two vertices coincide if they are no farther apart than this.
     """
     r = array(positions, "positions")
     if r.ndim != 2 or r.shape[1] not in (2, 3):

@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 
 from pyrod.base.arrays import Array
+from pyrod.base.words import shortly
 from pyrod.curve._arc import Arc
 
 Ends = Literal["free", "continued"]
@@ -19,7 +20,7 @@ def with_ends(arc: Arc, values: Array, ends: Ends) -> Array:
     They stay as they are where there is none to continue.
     """
     if ends not in ("free", "continued"):
-        raise ValueError(f"ends: expected 'free' or 'continued', got {ends!r}")
+        raise ValueError(f"ends: expected 'free' or 'continued', got {shortly(ends)}")
     start, end = arc.start_tangent is None, arc.end_tangent is None
     if ends == "free" or arc.closed or len(values) <= start + end:
         return values

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import array, number
+from pyrod.base.arrays import array
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, frozen, sealed, vector
 from pyrod.curve._polyline import Polyline
@@ -25,29 +25,35 @@ from pyrod.rotation import as_frame, rotate, to_matrix
 class FramedCurve(Immutable):
     """A polyline with a frame on each edge: a discrete Cosserat curve (Linn 2020, sect. 5 and 6).
 
-    Parameters
-    ----------
-    polyline : a `Polyline`, or the positions of an open one.
-    frames : one per edge: (n, 4) unit quaternions, whose signs matter: a turn may reach 2 pi; or
-        (n, 3, 3) rotation matrices, or a ``Rotation`` of SciPy, whose quaternions are given the
-        signs that continue each other. For frames at the points see `from_vertex_frames`.
-    edge_lengths : (n,) reference lengths h; default: those of the polyline.
-    start_frame, end_frame : (4,) or (3, 3) frames that hold the ends of an open curve; an end
-        without one does not turn over its half edge.
-
-    Raises
-    ------
-    ValueError : shapes, frames of another length than 1, neighbours that differ by 2 pi (matrices:
-        by pi), where the turn has lost its axis; frames that fit the edges only if they are read as
-        (x, y, z, w) or as rows; with the index and the remedy.
-
-    Warns
-    -----
-    CurveWarning : a3 is far from every edge.
-
     A ribbon is a curve whose frames are adapted, a3 along the edge. Its K are the normal curvature
     (bending about a1), the geodesic curvature (about a2, in the surface along a1) and the geodesic
     torsion.
+
+    Parameters
+    ----------
+    polyline : `Polyline` or (n + 1, 3) array [m]
+        The curve, or the positions of an open one.
+    frames : (n, 4) or (n, 3, 3) array, or ``Rotation``
+        One per edge: unit quaternions, whose signs matter: a turn may reach 2 pi; or rotation
+        matrices, or a ``Rotation`` of SciPy, whose quaternions are given the signs that continue
+        each other. For frames at the points see `from_vertex_frames`.
+    edge_lengths : (n,) array [m]
+        Reference lengths h; default: those of the polyline.
+    start_frame, end_frame : (4,) or (3, 3) array
+        Frames that hold the ends of an open curve; an end without one does not turn over its half
+        edge.
+
+    Raises
+    ------
+    ValueError
+        Shapes, frames of another length than 1, neighbours that differ by 2 pi (matrices: by pi),
+        where the turn has lost its axis; frames that fit the edges only if they are read as (x, y,
+        z, w) or as rows; with the index and the remedy.
+
+    Warns
+    -----
+    CurveWarning
+        a3 is far from every edge.
     """
 
     polyline: Polyline
@@ -82,6 +88,10 @@ class FramedCurve(Immutable):
         self.twist_angles  # noqa: B018  checks everything
         return self
 
+    @borrowed("pyrod.notebook.views:framed_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
+
     def __repr__(self) -> str:
         kind = "closed" if self.polyline.closed else "open"
         return f"FramedCurve({kind}, edges={self.polyline.edges}, length={self.polyline.length:g})"
@@ -92,18 +102,21 @@ class FramedCurve(Immutable):
     def from_vertex_frames(cls, polyline: Polyline | ArrayLike, frames: ArrayLike) -> FramedCurve:
         """The curve whose frames are given at its points, as base pairs or waypoints have them.
 
-        Parameters
-        ----------
-        polyline : a `Polyline`, or the positions of an open one.
-        frames : (n + 1, 4), (n + 1, 3, 3) or a ``Rotation``, one per vertex; n if it is closed.
-
         Each edge has the frame half-way between those of its ends, the shorter way; the first and
         the last frame hold the ends of an open curve. So nothing of the twist between the points
         is lost.
 
+        Parameters
+        ----------
+        polyline : `Polyline` or (n + 1, 3) array [m]
+            The curve, or the positions of an open one.
+        frames : (n + 1, 4) or (n + 1, 3, 3) array, or ``Rotation``
+            One per vertex; n if it is closed.
+
         Raises
         ------
-        ValueError : neighbours that differ by pi, and what the constructor refuses.
+        ValueError
+            Neighbours that differ by pi, and what the constructor refuses.
         """
         if not isinstance(polyline, Polyline):
             polyline = Polyline(polyline)
@@ -125,6 +138,10 @@ class FramedCurve(Immutable):
         """The open curve with these strains, held by its end frames: see `reconstruct`.
 
         With K = (kappa1, kappa2, 0) its frames are Bishop's.
+
+        Parameters
+        ----------
+        edge_lengths, K, Gamma, position, frame, measure : see `reconstruct`
         """
         h, start = array(edge_lengths, "edge_lengths"), as_frame(frame, "frame")
         r, q, end = reconstruct(h, K, Gamma, position, start, measure=measure)
@@ -143,8 +160,19 @@ class FramedCurve(Immutable):
     ) -> FramedCurve:
         """The open curve with this curvature (n + 1,) and torsion (n,), with its Bishop frames.
 
-        ``frame`` is the frame (n, b, t) at the start. The exact inverse of `Polyline.curvature` and
-        `Polyline.torsion`; the curvature of a free end is 0.
+        The exact inverse of `Polyline.curvature` and `Polyline.torsion`; the curvature of a free
+        end is 0.
+
+        Parameters
+        ----------
+        edge_lengths : (n,) array [m]
+        curvature : (n + 1,) array [1/m]
+        torsion : (n,) array [1/m]
+        position : (3,) array [m]
+            Where the curve starts.
+        frame : (4,) or (3, 3) array
+            The frame (n, b, t) at the start.
+        measure : `Measure`
         """
         h, start = array(edge_lengths, "edge_lengths"), as_frame(frame, "frame")
         r, q, end = _core.curve.reconstruct_frenet(
@@ -169,8 +197,18 @@ class FramedCurve(Immutable):
     ) -> FramedCurve:
         """A smooth curve of given strains, K(s) and Gamma(s), on n edges: second order.
 
-        ``length`` is the length, or with ``edges=None`` the lengths h of the edges. K is taken at
-        the vertices, Gamma at the centres of the edges; exact where both are constant.
+        K is taken at the vertices, Gamma at the centres of the edges; exact where both are
+        constant.
+
+        Parameters
+        ----------
+        length : float or (n,) array [m]
+            The length, or with ``edges=None`` the lengths h of the edges.
+        edges : int or None
+            Number n of edges.
+        K : (3,) or (n + 1, 3) array [1/m], or function
+        Gamma : (3,) or (n, 3) array, or function
+        position, frame : see `reconstruct`
         """
         h = lengths_of(length, edges)
         s = np.concatenate([[0.0], np.cumsum(h)])
@@ -197,7 +235,7 @@ class FramedCurve(Immutable):
 
     @cached_property
     def K(self) -> Array:
-        """Material curvature at the vertices: bending about a1 and a2, twist."""
+        """Material curvature at the vertices, bending about a1 and a2, twist."""
         return self._strains[0]
 
     @cached_property
@@ -231,47 +269,17 @@ class FramedCurve(Immutable):
         """Frames at the vertices, between those of the edges; at the ends those that hold."""
         return sealed(_core.curve.vertex_frames(*self._whole, closed=self.polyline.closed))
 
-    def turned(self, angles: ArrayLike) -> FramedCurve:
+    @borrowed("pyrod.curve._ribbon:turned")
+    def turned(self, angles: ArrayLike) -> FramedCurve:  # type: ignore[empty-body]
         """Every frame turned about its a3 by an angle [rad], one for all or (n,)."""
-        n = len(self.frames)
-        phi = array(angles, "angles")
-        if phi.shape not in ((), (n,)):
-            raise ValueError(f"angles: expected one or {n}, one per edge, got shape {phi.shape}")
-        phi = np.array(np.broadcast_to(phi, n))
-        ends = {}
-        for name, angle in (("start_frame", phi[:1]), ("end_frame", phi[-1:])):
-            frame = getattr(self, name)
-            if frame is not None:
-                ends[name] = _core.curve.turned_about_tangents(frame[None], angle)[0]
-        frames = _core.curve.turned_about_tangents(self.frames, phi)
-        return FramedCurve(self.polyline, frames, self.edge_lengths, **ends)
 
-    def adapted(self, limit: float = 0.5) -> FramedCurve:
-        """Every frame turned the least way that brings a3 into the tangent: a ribbon.
+    @borrowed("pyrod.curve._ribbon:adapted")
+    def adapted(self, limit: float = 0.5) -> FramedCurve:  # type: ignore[empty-body]
+        """Every frame turned the least way that brings a3 into the tangent: a ribbon."""
 
-        Raises ``ValueError`` where a3 is farther than ``limit`` [rad] from the tangent.
-        """
-        p, limit = self.polyline, number(limit, "limit")
-        if not limit >= 0:
-            raise ValueError(f"limit: must be an angle, not negative, got {limit}")
-        ends = {}
-        for name, tangent in (("start_frame", p.start_tangent), ("end_frame", p.end_tangent)):
-            frame = getattr(self, name)
-            if frame is not None and tangent is not None:
-                frame = _core.curve.adapted(frame[None], tangent[None], limit)[0]
-            ends[name] = frame
-        frames = _core.curve.adapted(self.frames, p.tangents, limit)
-        return FramedCurve(p, frames, self.edge_lengths, **ends)
-
-    def angles_from(self, other: FramedCurve) -> Array:
-        """(n,) angles [rad] that turn the other frames about their tangents into these.
-
-        For two framings of one curve that are both adapted; continued along it. The inverse of
-        `turned`.
-        """
-        if not isinstance(other, FramedCurve):
-            raise TypeError(f"other: expected a FramedCurve, got a {type(other).__name__}")
-        return _core.curve.angles_about_tangents(other.frames, self.frames)
+    @borrowed("pyrod.curve._ribbon:angles_from")
+    def angles_from(self, other: FramedCurve) -> Array:  # type: ignore[empty-body]
+        """(n,) angles [rad] that turn the other frames about their tangents into these."""
 
     # Twist and link -------------------------------------------------------------------------------
 

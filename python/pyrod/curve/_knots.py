@@ -9,9 +9,9 @@ class Approach(NamedTuple):
     """The two edges that come nearest to each other; infinitely far, -1 and -1 if there are
     none."""
 
-    distance: float
-    edge: int
-    other: int
+    distance: float  #: [m]
+    edge: int  #: number of the one
+    other: int  #: number of the other
 
 
 def nearest_whole(value: float) -> int:

@@ -19,8 +19,19 @@ def linking_number(
 ) -> int:
     """How often two closed polylines wind around each other, by Gauss's integral. O(n m).
 
-    Positions are taken for those of closed ones. Raises ``ValueError`` where they meet. Positive
-    for right-handed crossings.
+    Positive for right-handed crossings.
+
+    Parameters
+    ----------
+    a, b : `Polyline` or (n, 3) array [m]
+        Positions are taken for those of closed ones.
+    threads : int
+        Default 0: as many as the machine has cores.
+
+    Raises
+    ------
+    ValueError
+        They meet.
     """
     a, b = as_polyline(a, "a", closed=True), as_polyline(b, "b", closed=True)
     require_closed(a, "linking_number")
@@ -57,7 +68,35 @@ def self_approach(arc: Polyline, threads: int = 0) -> Approach:
 def approach(arc: Polyline, other: Union[Polyline, ArrayLike], threads: int = 0) -> Approach:
     """Smallest distance between an edge of this and an edge of another. O(n m).
 
-    Positions are taken for those of an open one.
+    Parameters
+    ----------
+    arc : `Polyline`
+    other : `Polyline` or (n, 3) array [m]
+        Positions are taken for those of an open one.
+    threads : int
+        Default 0: as many as the machine has cores.
     """
     them = as_polyline(other, "other", closed=False)._compiled
     return Approach(*arc._compiled.approach(them, whole(threads, "threads")))
+
+
+def holonomy(arc: Polyline) -> float:
+    """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame.
+
+    Equal to 2 pi times the writhe, up to whole turns.
+    """
+    require_closed(arc, "holonomy")
+    return arc._compiled.holonomy()
+
+
+def writhe(arc: Polyline, threads: int = 0) -> float:
+    """Writhe, exact for the polygon. O(n^2), on all cores unless ``threads`` says how many.
+
+    The same to the last bit for any number of threads. Raises ``ValueError`` where edges meet.
+    """
+    if not arc.closed and np.array_equal(arc.positions[0], arc.positions[-1]):
+        raise ValueError(
+            "positions: the last point is the first again; leave it out and make the polyline "
+            "with closed=True"
+        )
+    return arc._compiled.writhe(whole(threads, "threads"))

@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import number, precision_of, whole, yes_or_no
+from pyrod.base.arrays import number, precision_of, yes_or_no
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Once, frozen, sealed
-from pyrod.curve._arc import require_closed
 from pyrod.curve._ends import Ends, with_ends
 from pyrod.curve._knots import Approach
 from pyrod.curve._points import (
@@ -33,31 +32,38 @@ NO_ANGLE = 0.0
 class Polyline(Immutable):
     """A polygonal arc of n edges in space, open or closed (Linn 2020, sect. 4 and A.3).
 
+    Angles and curvatures are invariant under rigid motion. Values at vertices are those of the
+    cells around them, which have half a length at the ends of an open arc.
+
     Parameters
     ----------
-    positions : (n + 1, 3) vertices of an open arc, (n, 3) of a closed one, whose last edge leads
-        back to vertex 0. Two columns are taken for points of the plane z = 0.
-    closed : whether the arc is closed.
-    start_tangent, end_tangent : (3,) directions that hold the ends of an open arc. The half cell
-        between such a direction and the edge turns; without one, an end has the direction of its
-        edge, and its half cell does not turn: its curvature is then 0.
-    straight : vertices that turn by no more than this angle [rad] have no binormal of their own and
-        take that of the vertex before. Those that turn by no more than the rounding of the
-        positions explains always count as straight, of single precision if they came in it.
-    resolution : what the positions are known to [m]. Vertices that turn by no more than it explains
-        count as straight, too. Default: only the rounding of the numbers.
+    positions : (n + 1, 3) array [m]
+        Vertices of an open arc, (n, 3) of a closed one, whose last edge leads back to vertex 0. Two
+        columns are taken for points of the plane z = 0.
+    closed : bool
+        Whether the arc is closed.
+    start_tangent, end_tangent : (3,) array
+        Directions that hold the ends of an open arc. The half cell between such a direction and the
+        edge turns; without one, an end has the direction of its edge, and its half cell does not
+        turn: its curvature is then 0.
+    straight : float [rad]
+        Vertices that turn by no more than this angle have no binormal of their own and take that of
+        the vertex before. Those that turn by no more than the rounding of the positions explains
+        always count as straight, of single precision if they came in it.
+    resolution : float [m]
+        What the positions are known to. Vertices that turn by no more than it explains count as
+        straight, too. Default: only the rounding of the numbers.
 
     Raises
     ------
-    ValueError : shape, numbers that are not finite, neighbours that coincide (`without_repeats`
-        helps), neighbouring edges that are antiparallel; with the index and the remedy.
+    ValueError
+        Shape, numbers that are not finite, neighbours that coincide (`without_repeats` helps),
+        neighbouring edges that are antiparallel; with the index and the remedy.
 
     Warns
     -----
-    CurveWarning : a point nearly repeats the one before, which spoils curvature and torsion.
-
-    Angles and curvatures are invariant under rigid motion. Values at vertices are those of the
-    cells around them, which have half a length at the ends of an open arc.
+    CurveWarning
+        A point nearly repeats the one before, which spoils curvature and torsion.
     """
 
     positions: Array
@@ -104,6 +110,10 @@ class Polyline(Immutable):
     def _compiled(self) -> _core.curve.Arc:
         return _core.curve.Arc(self.positions, self.closed, self.start_tangent, self.end_tangent)
 
+    @borrowed("pyrod.notebook.views:polyline_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
+
     def __repr__(self) -> str:
         kind = "closed" if self.closed else "open"
         return f"Polyline({kind}, edges={self.edges}, length={self.length:g})"
@@ -133,7 +143,7 @@ class Polyline(Immutable):
 
     @cached_property
     def cell_lengths(self) -> Array:
-        """Lengths of the cells around the vertices: half of the edges before and behind."""
+        """Lengths of the cells around the vertices, half of the edges before and behind."""
         return sealed(self._compiled.cell_lengths)
 
     @cached_property
@@ -231,13 +241,9 @@ class Polyline(Immutable):
     ) -> Any:
         """The arc with frames that do not twist, or that twist as told: a `FramedCurve`."""
 
-    def holonomy(self) -> float:
-        """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame.
-
-        Equal to 2 pi times the writhe, up to whole turns.
-        """
-        require_closed(self, "holonomy")
-        return self._compiled.holonomy()
+    @borrowed("pyrod.curve._link:holonomy")
+    def holonomy(self) -> float:  # type: ignore[empty-body]
+        """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame."""
 
     @borrowed("pyrod.curve._transport:closed_ribbon")
     def closed_ribbon(self, link: int, normal: ArrayLike | None = None) -> Any:
@@ -262,17 +268,9 @@ class Polyline(Immutable):
 
     # Knots ----------------------------------------------------------------------------------------
 
-    def writhe(self, threads: int = 0) -> float:
-        """Writhe, exact for the polygon. O(n^2), on all cores unless ``threads`` says how many.
-
-        The same to the last bit for any number of threads. Raises ``ValueError`` where edges meet.
-        """
-        if not self.closed and np.array_equal(self.positions[0], self.positions[-1]):
-            raise ValueError(
-                "positions: the last point is the first again; leave it out and make the polyline "
-                "with closed=True"
-            )
-        return self._compiled.writhe(whole(threads, "threads"))
+    @borrowed("pyrod.curve._link:writhe")
+    def writhe(self, threads: int = 0) -> float:  # type: ignore[empty-body]
+        """Writhe, exact for the polygon. O(n^2), on all cores unless ``threads`` says how many."""
 
     @borrowed("pyrod.curve._link:frenet_link")
     def frenet_link(self, threads: int = 0) -> int:  # type: ignore[empty-body]

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod.base.arrays import Array, array, rows, yes_or_no
 from pyrod.base.immutable import vector
+from pyrod.base.words import shortly
 from pyrod.rotation import as_frame, from_matrix, quaternions
 
 Measure = Literal["log", "chord", "cayley"]
-"""The size of a turn by theta: theta, 2 sin(theta/2), or 2 tan(theta/2).
+"""The size of a turn by theta, which is theta, 2 sin(theta/2), or 2 tan(theta/2).
 
 All agree to the third order in theta. "log" tells turns of frames up to 2 pi, the others up to pi;
 a chord is at most 2, "cayley" goes to infinity at pi.
@@ -24,7 +25,7 @@ def checked_measure(measure: Any, *also: str) -> Any:
     """The name of a measure; refuses what is none."""
     names = ("log", "chord", "cayley", *also)
     if not isinstance(measure, str) or measure not in names:
-        raise ValueError(f"measure: expected one of {', '.join(names)}, got {measure!r}")
+        raise ValueError(f"measure: expected one of {', '.join(names)}, got {shortly(measure)}")
     return measure
 
 
@@ -42,22 +43,31 @@ def strains(
 
     Parameters
     ----------
-    edge_lengths : (n,) reference lengths h of the edges.
-    positions : (n + 1, 3) vertices; (n, 3) if closed.
-    frames : (n, 4) unit quaternions, the frames of the edges. Signs matter: a turn may reach 2 pi.
-    start_frame, end_frame : (4,) frames that hold the ends; an end without one does not turn over
-        its half edge.
-    measure : how the turn from one frame to the next is measured, see `Measure`.
-    closed : the last edge leads back to vertex 0, where the smaller of the two possible turns
+    edge_lengths : (n,) array [m]
+        Reference lengths h of the edges.
+    positions : (n + 1, 3) array [m]
+        Vertices; (n, 3) if closed.
+    frames : (n, 4) array
+        Unit quaternions, the frames of the edges. Signs matter: a turn may reach 2 pi.
+    start_frame, end_frame : (4,) array
+        Frames that hold the ends; an end without one does not turn over its half edge.
+    measure : `Measure`
+        How the turn from one frame to the next is measured, see `Measure`.
+    closed : bool
+        Whether the last edge leads back to vertex 0, where the smaller of the two possible turns
         counts.
 
     Returns
     -------
-    K : (n + 1, 3), or (n, 3) if closed: curvature at the vertices. Gamma : (n, 3) shear and stretch
-        of the edges.
+    K : (n + 1, 3) array [1/m]
+        Curvature at the vertices; (n, 3) if closed.
+    Gamma : (n, 3) array
+        Shear and stretch of the edges.
 
-    Raises ``ValueError`` where neighbouring frames differ by 2 pi (other measures than "log": by pi
-    or more).
+    Raises
+    ------
+    ValueError
+        Neighbouring frames differ by 2 pi (other measures than "log": by pi or more).
     """
     return _core.curve.strains(
         array(edge_lengths, "edge_lengths"),
@@ -86,9 +96,25 @@ def reconstruct(
 ) -> tuple[Array, Array, Array]:
     """The curve with the given strains that starts at ``position`` in ``frame``.
 
-    The exact inverse of `strains` of an open curve. Returns positions (n + 1, 3), frames (n, 4) and
-    the frame of the end (4,). ``Gamma`` defaults to (0, 0, 1) on every edge: neither sheared nor
-    stretched.
+    The exact inverse of `strains` of an open curve.
+
+    Parameters
+    ----------
+    edge_lengths : (n,) array [m]
+    K : (n + 1, 3) array [1/m]
+        Curvature at the vertices.
+    Gamma : (n, 3) array
+        Default: (0, 0, 1) on every edge, neither sheared nor stretched.
+    position : (3,) array [m]
+    frame : (4,) or (3, 3) array
+    measure : `Measure`
+
+    Returns
+    -------
+    positions : (n + 1, 3) array [m]
+    frames : (n, 4) array
+    end : (4,) array
+        The frame of the end.
     """
     h = array(edge_lengths, "edge_lengths")
     if Gamma is None:

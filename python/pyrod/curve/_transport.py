@@ -25,17 +25,19 @@ def bishop(
 ) -> FramedCurve:
     """The arc with frames that do not twist, or that twist as told (Linn 6.2.1).
 
-    Parameters
-    ----------
-    arc : the polyline.
-    normal : (3,) a1 of the start is as near to it as can be; default: the frame e1, e2, e3 turned
-        the least way.
-    angles : turns the frames about the tangents by a given angle [rad], one for all or (n,).
-    frame : (4,) or (3, 3), the frame at the start instead of ``normal``, turned the least way to
-        the tangent.
-
     Frames of a closed arc start on edge 0 and meet it again turned by the `Polyline.holonomy`, all
     of which is in the turn at vertex 0; see `Polyline.closed_ribbon` for frames that close.
+
+    Parameters
+    ----------
+    arc : `Polyline`
+    normal : (3,) array
+        a1 of the start is as near to it as can be; default: the frame e1, e2, e3 turned the least
+        way.
+    angles : float or (n,) array [rad]
+        Turns the frames about the tangents by a given angle, one for all or one for each.
+    frame : (4,) or (3, 3) array
+        The frame at the start instead of ``normal``, turned the least way to the tangent.
     """
     if frame is None:
         start = arc.tangents[0] if arc.start_tangent is None else arc.start_tangent
@@ -53,6 +55,13 @@ def closed_ribbon(arc: Polyline, link: int, normal: ArrayLike | None = None) -> 
     """Frames that close and have the linking number ``link``, twisted evenly along the arc.
 
     O(n^2), for the writhe.
+
+    Parameters
+    ----------
+    arc : `Polyline`
+    link : int
+    normal : (3,) array
+        See `bishop`.
     """
     require_closed(arc, "closed_ribbon")
     link = whole(link, "link")

@@ -19,12 +19,15 @@ def read(document: dict[str, Any], where: str = "scene") -> Scene:
 
     Parameters
     ----------
-    document : as `write` makes it, or a file of a scene tells it.
-    where : what the document is called in errors.
+    document : dict
+        As `write` makes it, or a file of a scene tells it.
+    where : str
+        What the document is called in errors.
 
     Raises
     ------
-    SceneFileError : what is wrong, all at once.
+    SceneFileError
+        What is wrong, all at once.
     """
     try:
         return content(document).scene

@@ -11,8 +11,8 @@ MOST_TOLD = 20
 class SceneFileProblem(NamedTuple):
     """One thing that is wrong in a file of a scene."""
 
-    line: int | None  #: from 1; None: it is not known
-    key: str  #: where, as in ``rods[0].length``; empty: the whole file
+    line: int | None  #: from 1; None if it is not known
+    key: str  #: where, as in ``rods[0].length``; empty for the whole file
     what: str  #: what is wrong, and what would be right
 
     def __str__(self) -> str:

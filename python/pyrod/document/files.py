@@ -25,8 +25,10 @@ def load_file(path: str | Path) -> Content:
 
     Raises
     ------
-    SceneFileError : what is wrong with the file, with lines and keys.
-    FileNotFoundError : there is none.
+    SceneFileError
+        What is wrong with the file, with lines and keys.
+    FileNotFoundError
+        There is none.
     """
     path = Path(path)
     text = text_of(path)

@@ -32,8 +32,9 @@ def content(document: Values) -> Content:
 
     Raises
     ------
-    Refused : with all problems of keys, types, units and names; if there are none of these, with
-        all values that the parts of the scene refuse.
+    Refused
+        With all problems of keys, types, units and names; if there are none of these, with all
+        values that the parts of the scene refuse.
     """
     found = Found(document)
     here = Here((), found)

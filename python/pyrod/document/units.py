@@ -62,7 +62,8 @@ def quantity(text: str, dimension: Dimension) -> float:
 
     Raises
     ------
-    Misread : what is wrong with it.
+    Misread
+        What is wrong with it.
     """
     if text in WORDS:
         return float(text)
@@ -88,14 +89,14 @@ def _in_si(number: Decimal, unit: str, dimension: Dimension) -> float:
     try:
         units = registry.parse_units(unit.replace("·", "*"))
         kind = units.dimensionality
-    except (AttributeError, ValueError, TypeError, KeyError) as error:
-        raise Misread(f'unknown unit "{unit}", expected {_expected(dimension)}') from error
+    except (AttributeError, ValueError, TypeError, KeyError):
+        raise Misread(f'unknown unit "{unit}", expected {_expected(dimension)}') from None
     if kind != registry.parse_units(dimension.unit).dimensionality:
         raise Misread(f'expected {_expected(dimension)}; "{unit}" is {_kind(registry, kind)}')
     try:
         return float(registry.Quantity(number, units).to(dimension.unit).magnitude)
-    except (ValueError, TypeError) as error:  # decibels and their like
-        raise Misread(f'expected {_expected(dimension)}; "{unit}" is on another scale') from error
+    except (ValueError, TypeError):  # decibels and their like
+        raise Misread(f'expected {_expected(dimension)}; "{unit}" is on another scale') from None
 
 
 def _kind(registry: Any, kind: Any) -> str:

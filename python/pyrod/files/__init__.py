@@ -41,20 +41,27 @@ def save(what: Scene | Equilibrium, path: str | Path, **options: Any) -> None:
 
     Parameters
     ----------
-    what : a `Scene` (.toml, .json) or an `Equilibrium`: exact and to be loaded again (.npz, .json);
-        a table (.csv); for ParaView (.vtp, .vtu); the solid (.stl, .obj, .ply, .glb); a picture
-        (.png, .svg, .pdf) or a page to look at (.html).
-    path : where; a file that is there is replaced, but only if nothing fails.
-    options : of .vtp and .vtu: ``solid=True`` for the surface in place of the centrelines,
-        ``title``; of all solids ``sides``, the number of chords of a circle (24); of .obj, .ply and
-        .glb ``colour_by``, a quantity such as "moment"; of pictures those of `Equilibrium.plot`.
+    what : `Scene` or `Equilibrium`
+        A scene (.toml, .json), or a result: exact and to be loaded again (.npz, .json); a table
+        (.csv); for ParaView (.vtp, .vtu); the solid (.stl, .obj, .ply, .glb); a picture (.png,
+        .svg, .pdf) or a page to look at (.html).
+    path : str or Path
+        A file that is there is replaced, but only if nothing fails.
+    options : bool, int or str
+        Of .vtp and .vtu: ``solid=True`` for the surface in place of the centrelines, ``title``; of
+        all solids ``sides``, the number of chords of a circle (24); of .obj, .ply and .glb
+        ``colour_by``, a quantity such as "moment"; of pictures those of `Equilibrium.plot`.
 
     Raises
     ------
-    ValueError : an unknown suffix, or one that does not go with ``what``.
-    TypeError : neither a scene nor a result; an option that the format does not have.
-    FileNotFoundError : there is no such folder.
-    ImportError : the format needs a package that is not installed; which, is told.
+    ValueError
+        An unknown suffix, or one that does not go with ``what``.
+    TypeError
+        Neither a scene nor a result; an option that the format does not have.
+    FileNotFoundError
+        There is no such folder.
+    ImportError
+        The format needs a package that is not installed; which, is told.
     """
     path = Path(path)
     if not isinstance(what, (Scene, Equilibrium)):
@@ -70,7 +77,8 @@ def check_target(path: Path) -> None:
 
     Raises
     ------
-    ValueError, FileNotFoundError, IsADirectoryError : as `save`.
+    ValueError, FileNotFoundError, IsADirectoryError
+        As `save`.
     """
     _writer(Equilibrium, path)
     check_place(path)
@@ -103,13 +111,17 @@ def load(path: str | Path) -> Scene | Equilibrium:
 
     Parameters
     ----------
-    path : the file.
+    path : str or Path
+        The file.
 
     Raises
     ------
-    SceneFileError : what is wrong with a scene, with lines and keys; see docs/files.md.
-    ValueError : an unknown suffix; a file of a result that is damaged.
-    FileNotFoundError : there is no such file.
+    SceneFileError
+        What is wrong with a scene, with lines and keys; see docs/files.md.
+    ValueError
+        An unknown suffix; a file of a result that is damaged.
+    FileNotFoundError
+        There is no such file.
     """
     path = Path(path)
     if path.suffix == ".toml":

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod.base.words import shortly
 from pyrod.document.files import json_text
 from pyrod.files.results import FORMAT, Parts, put_together, taken_apart
 from pyrod.result.equilibrium import Equilibrium
@@ -64,7 +65,7 @@ def load_json(path: Path, document: dict[str, Any]) -> Equilibrium:
 
 def _array(type: str, shape: list[int], values: list[Any]) -> np.ndarray:
     if type not in _TYPES:
-        raise ValueError(f"arrays are of the types {', '.join(_TYPES)}, not {type!r}")
+        raise ValueError(f"arrays are of the types {', '.join(_TYPES)}, not {shortly(type)}")
     return np.array(values, dtype=type).reshape(shape)
 
 
@@ -87,4 +88,4 @@ def _loaded(path: Path, parts: Callable[[], Parts]) -> Equilibrium:
     except Exception as error:  # whatever a foreign or damaged file leads to
         raise ValueError(
             f'{path}: no "{FORMAT}", or damaged ({type(error).__name__}: {error}); save it again'
-        ) from error
+        ) from None

@@ -15,8 +15,10 @@ def replacing(path: Path) -> Iterator[Path]:
 
     Raises
     ------
-    FileNotFoundError : there is no such folder.
-    IsADirectoryError : the path is a folder.
+    FileNotFoundError
+        There is no such folder.
+    IsADirectoryError
+        The path is a folder.
     """
     check_place(path)
     temporary = path.with_name(f".{path.stem[:100]}.{secrets.token_hex(4)}{path.suffix}")

@@ -57,7 +57,8 @@ def put_together(parts: Parts) -> Equilibrium:
 
     Raises
     ------
-    ValueError, KeyError, TypeError : parts are missing or of a wrong shape.
+    ValueError, KeyError, TypeError
+        Parts are missing or of a wrong shape.
     """
     head, arrays = parts
     if head["format"] != FORMAT:

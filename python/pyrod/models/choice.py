@@ -23,11 +23,11 @@ from pyrod.solving.run import solved
 class Choice(Immutable):
     """The smallest model of a scene whose error is below a tolerance."""
 
-    space: Space
-    model: Model
+    space: Space  #: in which the scene is solved
+    model: Model  #: of all its rods
     error: float  #: what the strains that the model leaves out would change, to first order
     sizes: dict[str, float]
-    """What each would change: "extension" and "shear" in the poorest model that was solved,
+    """What each would change, "extension" and "shear" in the poorest model that was solved,
     "space" in the planar solution. Infinite: it cannot be left out."""
     text: str  #: the choice in words
     scene: Scene = field(repr=False)  #: the scene in this model
@@ -44,13 +44,17 @@ def smallest_model(scene: Scene, tol: float, quantity: Quantity | None = None) -
 
     Parameters
     ----------
-    scene : a scene.
-    tol : the largest change that may be left out: of `Effect.size`, or of the quantity.
-    quantity : a function of an `Equilibrium` whose relative change counts instead.
+    scene : `Scene`
+        A scene.
+    tol : float
+        The largest change that may be left out: of `Effect.size`, or of the quantity.
+    quantity : function
+        A function of an `Equilibrium` whose relative change counts instead.
 
     Raises
     ------
-    NotConverged : no equilibrium is found even in the richest model.
+    NotConverged
+        No equilibrium is found even in the richest model.
     """
     checked_scene(scene)
     tol = number(tol, "tol")

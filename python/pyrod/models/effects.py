@@ -11,6 +11,7 @@ import numpy as np
 
 from pyrod._core import Options
 from pyrod.base.immutable import Array, Immutable, frozen
+from pyrod.base.words import shortly
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.rods import largest_turn
 from pyrod.rod.models import STRAINS
@@ -35,15 +36,15 @@ _ADDED = {
 class Effect(Immutable):
     """What would change in an equilibrium if its scene modelled more."""
 
-    of: Of
+    of: Of  #: what is modelled besides
     result: Equilibrium  #: the equilibrium of the scene as it is
     predicted: Equilibrium  #: the state of the richer scene
     quantity: Array | None  #: change of the quantity that was asked for
     first_order: bool
-    """Whether ``predicted`` is one Newton step from ``result``: exact but for the square of the
+    """Whether ``predicted`` is one Newton step from ``result``, exact but for the square of the
     change. Where the change is too large for that, it is the equilibrium of the richer scene."""
     _before: Equilibrium
-    """What changes are counted from: ``result`` after a Newton step without any change. The step
+    """What changes are counted from, ``result`` after a Newton step without any change. The step
     moves a taut, straight rod a little, and a result that was extrapolated back to its grid."""
 
     @property
@@ -68,7 +69,7 @@ class Effect(Immutable):
 
     @cached_property
     def sizes(self) -> dict[str, float]:
-        """Largest changes: of positions by the length of the longest rod; of frames [rad]; of
+        """Largest changes, of positions by the length of the longest rod; of frames [rad]; of
         section forces and moments by the largest there is; of energy by the larger of the two."""
         return _changes(self._before, self.predicted)
 
@@ -93,20 +94,24 @@ def effect(result: Equilibrium, of: Of, quantity: Quantity | None = None) -> Eff
 
     Parameters
     ----------
-    result : an equilibrium.
-    of : "extension": rods stretch; "shear": they shear, and stretch only if they do already;
+    result : `Equilibrium`
+        An equilibrium.
+    of : "extension", "shear", "strains" or "space"
+        "extension": rods stretch; "shear": they shear, and stretch only if they do already;
         "strains": both; "space": a planar scene may leave its plane. Stiffnesses are those of the
         sections; where they are infinite, or the rods have the strain already, nothing changes.
-    quantity : a function of an `Equilibrium` that returns a number or an array, whose change is
-        wanted.
+    quantity : function
+        A function of an `Equilibrium` that returns a number or an array, whose change is wanted.
 
     Raises
     ------
-    ValueError : the result is no equilibrium, or its scene is spatial already.
-    NotConverged : the change is too large for the first order, and no equilibrium is found.
+    ValueError
+        The result is no equilibrium, or its scene is spatial already.
+    NotConverged
+        The change is too large for the first order, and no equilibrium is found.
     """
     if of not in get_args(Of):
-        raise ValueError(f"of: expected one of {', '.join(get_args(Of))}, got {of!r}")
+        raise ValueError(f"of: expected one of {', '.join(get_args(Of))}, got {shortly(of)}")
     if not result.converged:
         raise ValueError(f"result: it is no equilibrium, but {result.status}")
     richer = _in_space(result.scene) if of == "space" else _with_strains(result.scene, of)
@@ -124,7 +129,8 @@ def out_of_plane_index(result: Equilibrium) -> int | None:
 
     Raises
     ------
-    ValueError : the scene is spatial, or in space this is no equilibrium.
+    ValueError
+        The scene is spatial, or in space this is no equilibrium.
     """
     spatial = _in_space(result.scene)
     if why := is_planar(result.scene).why:

@@ -35,41 +35,53 @@ def solve(
 
     Parameters
     ----------
-    scene : the rods, their supports, joints and loads.
-    options : tolerances and limits; see `Options`.
-    tol : the largest relative error wanted, of positions, frames, curvatures, forces, moments,
-        energy and reactions, in (0, 0.1]; estimates come with the result (``errors``). The scene's
-        edges are halved as often as needed; the result is told at their ends, which is all edges
-        that a user gave. Default: the grid as it is, and 1e-6 where rods leave their edges to the
-        solver.
-    model : the model of all rods, in place of their own; "auto": the smallest, and the plane if
-        that will do, in which results differ by less than ``tol`` from those with all strains
-        whose stiffnesses are finite. What was chosen, and why, is in ``choice``; see
-        `smallest_model`.
-    start : an equilibrium of a similar scene with as many edges, or frames (n, 4) or (n, 3, 3) of
-        the edges of all rods, to start from; default: the shape at rest, bent into the supports. A
-        start is trusted to be near.
-    strict : raise `NotConverged` if no equilibrium is found; otherwise look at ``status``.
-    verbose : print a line per iteration.
-    stable : look for a stable equilibrium, and leave saddles along their unstable modes. Otherwise
-        take the equilibrium that Newton's method leads to.
-    eigenvalue : find the lowest eigenvalue of the second variation, too.
-    progress : show the iterations on standard error once half a second has passed, and of a
-        tolerance the grids, the edges of the finest, and the error reached so far.
+    scene : `Scene`
+        The rods, their supports, joints and loads.
+    options : `Options`
+        Tolerances and limits; see `Options`.
+    tol : float
+        The largest relative error wanted, of positions, frames, curvatures, forces, moments, energy
+        and reactions, in (0, 0.1]; estimates come with the result (``errors``). The scene's edges
+        are halved as often as needed; the result is told at their ends, which is all edges that a
+        user gave. Default: the grid as it is, and 1e-6 where rods leave their edges to the solver.
+    model : "cosserat", "extensible", "inextensible" or "auto"
+        The model of all rods, in place of their own; "auto": the smallest, and the plane if that
+        will do, in which results differ by less than ``tol`` from those with all strains whose
+        stiffnesses are finite. What was chosen, and why, is in ``choice``; see `smallest_model`.
+    start : `Equilibrium`, (n, 4) or (n, 3, 3) array
+        An equilibrium of a similar scene with as many edges, or frames of the edges of all rods, to
+        start from; default: the shape at rest, bent into the supports. A start is trusted to be
+        near.
+    strict : bool
+        Raise `NotConverged` if no equilibrium is found; otherwise look at ``status``.
+    verbose : bool
+        Print a line per iteration.
+    stable : bool
+        Look for a stable equilibrium, and leave saddles along their unstable modes. Otherwise take
+        the equilibrium that Newton's method leads to.
+    eigenvalue : bool
+        Find the lowest eigenvalue of the second variation, too.
+    progress : bool
+        Show the iterations on standard error once half a second has passed, and of a tolerance the
+        grids, the edges of the finest, and the error reached so far.
 
     Raises
     ------
-    NotConverged : with the last iterate in ``.result``; also where ``tol`` is not reached, with
-        the best answer that was, and its errors.
-    KeyboardInterrupt : Ctrl-C is looked for once per iteration.
+    NotConverged
+        With the last iterate in ``.result``; also where ``tol`` is not reached, with the best
+        answer that was, and its errors.
+    KeyboardInterrupt
+        Ctrl-C is looked for once per iteration.
 
     Warns
     -----
-    UnstableWarning : the equilibrium found is a saddle of the energy, though a stable one was
-        wanted.
-    StrainWarning : an edge is stretched or sheared by more than three times its length or turned
-        inside out, or neighbours turn by more than pi.
-    AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
+    UnstableWarning
+        The equilibrium found is a saddle of the energy, though a stable one was wanted.
+    StrainWarning
+        An edge is stretched or sheared by more than three times its length or turned inside out, or
+        neighbours turn by more than pi.
+    AccuracyWarning
+        The grids do not converge as they should, so that nothing was extrapolated.
     """
     checked_scene(scene)
     how = How(options or DEFAULTS, stable, eigenvalue, tol)

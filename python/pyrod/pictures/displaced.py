@@ -8,6 +8,18 @@ from pyrod.base.immutable import Array
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.rotation import rotate
 
+LARGEST = 0.1  # displacement in pictures over the extent of the rods
+
+
+def shown_mode(result: Equilibrium, sign: int = 1) -> list[Array]:
+    """(n + 1, 3) positions of each rod, displaced along the mode so far that it is seen."""
+    shapes = [rod.positions for rod in result.rods]
+    moves = mode_displacements(result)
+    extent = np.ptp(np.vstack(shapes), axis=0).max()
+    largest = np.linalg.norm(np.vstack(moves), axis=1).max()
+    scale = sign * LARGEST * extent / largest if largest > 1e-9 * extent else 0.0
+    return [r + scale * u for r, u in zip(shapes, moves, strict=True)]
+
 
 def mode_displacements(result: Equilibrium) -> list[Array]:
     """(n + 1, 3) displacements of the vertices of each rod in the lowest mode [m/rad].
@@ -17,7 +29,8 @@ def mode_displacements(result: Equilibrium) -> list[Array]:
 
     Raises
     ------
-    ValueError : the mode is not known.
+    ValueError
+        The mode is not known.
     """
     if result.mode is None:
         raise ValueError("stability: there is no mode; solve with eigenvalue=True")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from pyrod.base.immutable import Array
+from pyrod.base.words import shortly
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import FRAME, KINDS, Carrier, Kind, between_edges, field
 
@@ -34,13 +35,16 @@ def measure(result: Equilibrium, of: str) -> Colouring:
 
     Parameters
     ----------
-    result : the equilibrium.
-    of : name of a quantity (`KINDS`), for its magnitude or, of a scalar, its value; or,
-        after a point, a component, too: "moment", "moment.x", "material_moment.1".
+    result : `Equilibrium`
+        The equilibrium.
+    of : str
+        Name of a quantity (`KINDS`), for its magnitude or, of a scalar, its value; or, after a
+        point, a component, too: "moment", "moment.x", "material_moment.1".
 
     Raises
     ------
-    ValueError : no such quantity or component; those that are, are told.
+    ValueError
+        No such quantity or component; those that are, are told.
     """
     name, point, component = of.partition(".")
     found = [field(rod, name) for rod in result.rods]
@@ -50,7 +54,7 @@ def measure(result: Equilibrium, of: str) -> Colouring:
         return Colouring(labelled(kind, symbol), kind.place, tuple(one.magnitude for one in found))
     if component not in kind.components:
         there = ", ".join(f"{name}.{c}" for c in kind.components) or "no components"
-        raise ValueError(f"quantity: {name} has {there}; got {of!r}")
+        raise ValueError(f"quantity: {name} has {there}; got {shortly(of)}")
     column = kind.components.index(component)
     values = tuple(one.values[:, column] for one in found)
     return Colouring(labelled(kind, symbol_of(kind, component)), kind.place, values)

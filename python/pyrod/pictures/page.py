@@ -30,15 +30,21 @@ def write_html(
 
     Parameters
     ----------
-    result : what to show.
-    path : of the file.
-    colour_by : the quantity shown at first, as for `Equilibrium.plot`; default: "moment".
-    sides : into how many chords circles are cut; default 16.
+    result : `Equilibrium`
+        What to show.
+    path : str or Path
+        Of the file.
+    colour_by : str
+        The quantity shown at first, as for `Equilibrium.plot`; default: "moment".
+    sides : int
+        Into how many chords circles are cut; default 16.
 
     Raises
     ------
-    ValueError : an unknown quantity.
-    ImportError : plotly is not installed: ``pip install 'pyrod[html]'``.
+    ValueError
+        An unknown quantity.
+    ImportError
+        plotly is not installed: ``pip install 'pyrod[html]'``.
     """
     figure = interactive(result, "moment" if colour_by is None else colour_by, sides)
     title = json.dumps(_title(result))

@@ -70,18 +70,21 @@ def _picked(of_rods: Sequence[Array], rod: Indices, row: Indices) -> Array:
 def swept(result: Equilibrium, sides: int = 24) -> Swept:
     """Sweeps the outlines of all rods between their frames at the vertices.
 
-    Parameters
-    ----------
-    result : the equilibrium.
-    sides : into how many chords circles are cut, at least 3; default 24.
-
     Where outlines jump one closed surface ends and the next begins. A rod whose ends meet is joined
     to a ring without caps, where the corners of its outlines meet, too: in nearly the same frame,
     or turned onto themselves.
 
+    Parameters
+    ----------
+    result : `Equilibrium`
+        The equilibrium.
+    sides : int
+        Into how many chords circles are cut, at least 3; default 24.
+
     Raises
     ------
-    ValueError : less than 3 sides.
+    ValueError
+        Less than 3 sides.
     """
     if not sides >= 3:
         raise ValueError(f"sides: must be at least 3, got {sides}")

@@ -37,18 +37,22 @@ def solid(result: Equilibrium, sides: int = 24) -> Any:
 
     Parameters
     ----------
-    result : what to show.
-    sides : into how many chords circles are cut, at least 3; default 24.
+    result : `Equilibrium`
+        What to show.
+    sides : int
+        Into how many chords circles are cut, at least 3; default 24.
 
     Returns
     -------
-    ``pyvista.PolyData``: closed surfaces, their quads and triangles seen from outside. Point data
-    are the quantities of the vertices, cell data those of the edges, under the names they have in
-    `RodEquilibrium`, besides the directors "a1", "a2", "a3" and "rod", the number of the rod.
+    ``pyvista.PolyData``
+        Closed surfaces, their quads and triangles seen from outside. Point data are the quantities
+        of the vertices, cell data those of the edges, under the names they have in
+        `RodEquilibrium`, besides the directors "a1", "a2", "a3" and "rod", the number of the rod.
 
     Raises
     ------
-    ImportError : pyvista is not installed: ``pip install 'pyrod[view]'``.
+    ImportError
+        pyvista is not installed: ``pip install 'pyrod[view]'``.
     """
     mesh = swept(result, sides)
     poly = _poly(mesh)
@@ -81,22 +85,32 @@ def show(
 
     Parameters
     ----------
-    result : what to show.
-    colour_by : a quantity, as for `Equilibrium.plot`; default: a colour for each rod.
-    frames : draw the directors a1, a2, a3 at the vertices as red, green and blue arrows.
-    off_screen : open no window.
-    screenshot : file for the image (.png); implies ``off_screen``.
-    sides : into how many chords circles are cut; default 24.
-    size : width and height of the window or image in pixels; default (1024, 768).
+    result : `Equilibrium`
+        What to show.
+    colour_by : str
+        A quantity, as for `Equilibrium.plot`; default: a colour for each rod.
+    frames : bool
+        Draw the directors a1, a2, a3 at the vertices as red, green and blue arrows.
+    off_screen : bool
+        Open no window.
+    screenshot : str or Path
+        File for the image (.png); implies ``off_screen``.
+    sides : int
+        Into how many chords circles are cut; default 24.
+    size : (int, int)
+        Width and height of the window or image in pixels; default (1024, 768).
 
     Returns
     -------
-    (height, width, 3) the image if no window was opened, else None once it is closed.
+    (height, width, 3) array or None
+        The image if no window was opened, else None once it is closed.
 
     Raises
     ------
-    ValueError : an unknown quantity.
-    ImportError : pyvista is not installed: ``pip install 'pyrod[view]'``.
+    ValueError
+        An unknown quantity.
+    ImportError
+        pyvista is not installed: ``pip install 'pyrod[view]'``.
     """
     hidden = off_screen or screenshot is not None
     if hidden and sys.platform.startswith("linux") and "DISPLAY" not in os.environ:
@@ -118,7 +132,8 @@ def check_drawing_without_display() -> None:
 
     Raises
     ------
-    RuntimeError : it did; with what may be missing.
+    RuntimeError
+        It did; with what may be missing.
     """
     need("pyvista", "view")
     code = "import pyvista; pyvista.Plotter(off_screen=True).screenshot()"

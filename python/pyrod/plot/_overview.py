@@ -20,15 +20,18 @@ def overview(result: Equilibrium) -> Figure:
 
     Parameters
     ----------
-    result : what to draw.
+    result : `pyrod.Equilibrium`
+        What to draw.
 
     Returns
     -------
-    A new matplotlib figure; its title tells status, stability, energy, errors and time.
+    Figure
+        A new one of matplotlib; its title tells status, stability, energy, errors and time.
 
     Raises
     ------
-    ImportError : matplotlib is not installed: ``pip install 'pyrod[plot]'``.
+    ImportError
+        matplotlib is not installed: ``pip install 'pyrod[plot]'``.
     """
     pyplot = need("matplotlib.pyplot", "plot")
     names = [name for pair in PANELS.values() for name in pair if _has(result, name)]

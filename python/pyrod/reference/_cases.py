@@ -37,7 +37,7 @@ class NotPossible(Exception):
 class Case:
     """A sampled exact solution."""
 
-    data: dict[str, Any]
+    data: dict[str, Any]  #: what its file holds
 
     def __str__(self) -> str:
         return self.data["id"]
@@ -59,7 +59,7 @@ class Case:
 
     @property
     def first_edges(self) -> int | None:
-        """Edges to begin with if a tolerance is given; None: those that `pyrod.solve` chooses."""
+        """Edges to begin with if a tolerance is given; None if those that `pyrod.solve` chooses."""
         return notes.first_edges(str(self), self.found_alone)
 
     @property
@@ -71,7 +71,7 @@ class Case:
         """The case itself, or of a circle of solutions the one that is nearest to the result."""
         if not str(self).startswith(tuple(notes.CIRCLES)):
             return self
-        moved = notes.turned({key: self.sampled(key) for key in "rqnm"}, result)
+        moved = notes.turned_to({key: self.sampled(key) for key in "rqnm"}, result)
         return Case({**self.data, **moved})
 
     def sampled(self, key: str) -> Array:
@@ -83,6 +83,11 @@ class Case:
         value = np.array(self.data.get(key, [0, 0, 0]), dtype=float)
         slope = np.array(self.data.get(key + "_slope", [0, 0, 0]), dtype=float)
         return lambda s: value + slope * s
+
+    def _given(self, key: str) -> Array | Callable[[float], Array]:
+        """The same as scenes are given it: one vector where it does not vary."""
+        function = self.along(key)
+        return function if np.any(self.data.get(key + "_slope", 0.0)) else function(0.0)
 
     def section(self) -> Section | Callable[[float], Section]:
         """The section, or a function of arc length if a stiffness varies."""
@@ -107,12 +112,12 @@ class Case:
         """
         space = space or self.spaces[0]
         rod = Rod.precurved(
-            self.data["L"], edges, self.section(), self.along("K0"), _MODELS[self.data["model"]]
+            self.data["L"], edges, self.section(), self._given("K0"), _MODELS[self.data["model"]]
         )
         start, end = self.data["bc"]["s0"], self.data["bc"]["sL"]
         loads: list[Load] = [
-            DistributedForce(self.along("f")),
-            DistributedMoment(self.along("l")),
+            DistributedForce(self._given("f")),
+            DistributedMoment(self._given("l")),
         ]
         if start["type"] == "clamped":
             supports: list[Support] = [Clamp(start["r"], start["q"])]
@@ -210,7 +215,8 @@ def folder() -> Path:
 
     Raises
     ------
-    FileNotFoundError : pyrod is not installed but imported from its source folder
+    FileNotFoundError
+        Pyrod is not installed but imported from its source folder
     """
     return _installed("_reference")
 

@@ -81,7 +81,7 @@ def rounding(name: str) -> float:
     return max([ROUNDING] + [size for key, (size, _) in MAGNIFIED.items() if name.startswith(key)])
 
 
-def turned(sampled: dict[str, Array], result: Equilibrium) -> dict[str, Array]:
+def turned_to(sampled: dict[str, Array], result: Equilibrium) -> dict[str, Array]:
     """r, q, n and m of a circle's solution that is nearest to the result."""
     r, q = sampled["r"], sampled["q"]
     edges, intervals = result.scene.rod.edges, len(r) - 1

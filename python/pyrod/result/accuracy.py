@@ -8,6 +8,7 @@ from typing import Any
 
 from pyrod.base.arrays import number_as
 from pyrod.base.immutable import Immutable
+from pyrod.base.words import shortly
 
 TOLD_APART = ("edge_frames", "edge_forces", "strains", "extremes")
 _LIMITS = {
@@ -23,13 +24,13 @@ class Accuracy(Immutable):
     """What was asked for, what was reached, and how.
 
     The scene is solved on its edges, on these halved, and so on, and what the grids tend to is
-    extrapolated (docs/theory.md, "The ladder"). Arrays belong to the vertices and edges of the
+    extrapolated (docs/theory.md, section 12). Arrays belong to the vertices and edges of the
     coarsest grid. Errors are those of the discretisation, not of the model.
     """
 
     tol: float
     errors: dict[str, float]
-    """Estimates of the largest errors: of ``positions`` relative to the longest rod, ``frames`` and
+    """Estimates of the largest errors, of ``positions`` relative to the longest rod, ``frames`` and
     ``edge_frames`` in radians, ``strains`` (Gamma) as they are, of all others relative to the
     largest value of their kind. ``tol`` is for all but those of the edges, and of the ``extremes``
     (``largest_K``, ``largest_force``, ``largest_moment``), which are told apart.
@@ -39,7 +40,7 @@ class Accuracy(Immutable):
     grids: int  #: on which the scene was solved
     finest_edges: int  #: of all rods together, on the last of them
     ended: str = "reached"
-    """What ended the climb: "reached": ``tol``; else a limit, "edges" (``Options.max_edges``),
+    """What ended the climb, "reached" (``tol``); else a limit, "edges" (``Options.max_edges``),
     "time" (``Options.max_time``), "rounding": finer grids were no better; "interrupted"."""
     neutral: bool = False
     """Whether the errors are those of all but the place along the free motion, which is chance."""
@@ -85,5 +86,5 @@ def checked_tolerance(tol: float | None) -> float | None:
     wanted = "must be a number in (0, 0.1]"
     value = 0.0 if isinstance(tol, bool) else number_as(tol, "tol", wanted)
     if not 0 < value <= 0.1:
-        raise ValueError(f"tol: {wanted}, got {tol!r}")
+        raise ValueError(f"tol: {wanted}, got {shortly(tol)}")
     return value

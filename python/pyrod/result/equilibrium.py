@@ -36,19 +36,19 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
     status: str  #: "converged", or why not
     advice: str  #: the status in a sentence, with what to try
     index: int
-    """Stability index: directions in which the energy falls; -1 if there is no potential."""
+    """Stability index, the directions in which the energy falls; -1 if there is no potential."""
     residual: float  #: largest unbalanced moment on an edge, or its like [N m]
-    load_steps: int  #: 0: all loads at once; else steps in which they were brought on
-    record: dict[str, Array]  #: one entry per iteration: step [rad], residual, energy, shift, ...
+    load_steps: int  #: in which the loads were brought on; 0 if all at once
+    record: dict[str, Array]  #: an entry per iteration, of step [rad], residual, energy, ...
     time: float = field(compare=False)  #: of the solve [s]
     descents: int  #: saddles that the search has left along their unstable modes
     unknowns: int  #: of the last linear system, with the multipliers
     multipliers: int  #: components of section forces among them
     fill: float  #: entries of the factor over those of the matrix
     lowest_eigenvalue: float | None
-    """Of the second variation on the constraints, for modes with int |phi|^2 ds/L = 1 [N m]."""
+    """Of the second variation on the constraints, for modes with ``int |phi|^2 ds/L = 1`` [N m]."""
     neutral: bool
-    """It can move along ``mode`` without a change of energy: a mechanism, or one of a family."""
+    """It can move along ``mode`` without a change of energy, as a mechanism, or one of a family."""
     mode: Array | None
     """(edges of all rods, 3) turns of the edges in their frames [rad] in the lowest mode.
 
@@ -67,6 +67,11 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
         if len(rods) != 1:
             raise AttributeError(f"{name}: the scene has {len(rods)} rods; see rods[i].{name}")
         return getattr(rods[0], name)
+
+    def __dir__(self) -> list[str]:
+        """With what is known of the only rod."""
+        rods = self.__dict__["rods"]
+        return sorted({*super().__dir__(), *(dir(rods[0]) if len(rods) == 1 else ())})
 
     @property
     def errors(self) -> dict[str, float] | None:
@@ -239,6 +244,10 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
     @borrowed("pyrod.files:save")
     def save(self, path: str | Path, **options: Any) -> None:
         """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
+
+    @borrowed("pyrod.notebook.views:equilibrium_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         how = "" if self.converged else f", {self.status}"

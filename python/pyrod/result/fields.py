@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pyrod.base.immutable import Array
+from pyrod.base.words import shortly
 from pyrod.result.rods import RodEquilibrium
 from pyrod.rotation import to_matrix
 
@@ -79,10 +80,11 @@ def field(rod: RodEquilibrium, name: str) -> Field:
 
     Raises
     ------
-    ValueError : there is no quantity of that name; those that are, are told.
+    ValueError
+        There is no quantity of that name; those that are, are told.
     """
     if name not in KINDS:
-        raise ValueError(f"quantity: expected one of {', '.join(KINDS)}, got {name!r}")
+        raise ValueError(f"quantity: expected one of {', '.join(KINDS)}, got {shortly(name)}")
     if name in ("a1", "a2", "a3"):
         values = to_matrix(rod.vertex_frames)[:, :, int(name[1]) - 1]
     else:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy
 from pyrod.rod.rod import Rod
 from pyrod.rotation import conjugate, multiply
@@ -57,7 +58,7 @@ class RodEquilibrium(Lazy, Immutable):
     bend_twist_energy: float  #: Linn (49) [J]
     stretch_shear_energy: float  #: Linn (51) [J]
     largest_K: float
-    """Largest |K| along the rod [1/m], between vertices too.
+    """Largest ``|K|`` along the rod [1/m], between vertices too.
 
     Of a solve with a tolerance that of the continuous rod, with the error that ``errors`` tells of
     ``extremes``; else of a smooth curve through the values at the vertices. So are the next two.
@@ -84,6 +85,10 @@ class RodEquilibrium(Lazy, Immutable):
     def tip_frame(self) -> Array:
         """(4,) frame of the end."""
         return self.vertex_frames[-1]
+
+    @borrowed("pyrod.notebook.views:rod_equilibrium_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         tip = ", ".join(f"{x:.6g}" for x in self.tip)

@@ -16,9 +16,9 @@ class Energy(Immutable):
     as R <- R exp(phi), phi in the components of the frame.
     """
 
-    bend_twist: float
-    stretch_shear: float
-    gradient: Array
+    bend_twist: float  #: Linn (49) [J]
+    stretch_shear: float  #: Linn (51) [J]
+    gradient: Array  #: by the unknowns, 3 numbers each
     _hessian: tuple[Array, Any, Any] = field(repr=False)
 
     @property

@@ -20,15 +20,17 @@ def energy_of(
 ) -> Energy:
     """Elastic energy, Linn (49) and (51), with gradient and Hessian.
 
+    Strains that the rod's model excludes carry no energy.
+
     Parameters
     ----------
-    rod : the rod.
-    positions : (n + 1, 3).
-    frames : (n, 4) unit quaternions; their signs matter, a turn may reach 2 pi.
-    start_frame, end_frame : (4,) frames that hold the ends. An end without one has no half cell
-        and no energy there.
-
-    Strains that the rod's model excludes carry no energy.
+    rod : `Rod`
+    positions : (n + 1, 3) array [m]
+        The vertices.
+    frames : (n, 4) array
+        Unit quaternions; their signs matter, a turn may reach 2 pi.
+    start_frame, end_frame : (4,) array
+        Frames that hold the ends. An end without one has no half cell and no energy there.
     """
     bend_twist, stretch_shear, gradient, hessian = rod._compiled.energy(
         rows(positions, "positions", 3),

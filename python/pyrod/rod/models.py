@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, get_args
 
+from pyrod.base.words import shortly
 from pyrod.rod.section import Model
 
 STRAINS: dict[Model, tuple[bool, bool, bool]] = {
@@ -18,7 +19,9 @@ MODELS: tuple[Model, ...] = tuple(STRAINS)
 def check_model(model: Any) -> None:
     """Refuses what is none."""
     if not isinstance(model, str) or model not in get_args(Model):
-        raise ValueError(f"model: expected one of {', '.join(get_args(Model))}, got {model!r}")
+        raise ValueError(
+            f"model: expected one of {', '.join(get_args(Model))}, got {shortly(model)}"
+        )
 
 
 def checked_model(model: Model | None) -> Model | None:

@@ -44,13 +44,15 @@ class Outline:
 
         Parameters
         ----------
-        points : (k, 2) corners [m], at least 3, in either sense; the last is not the first again.
-        hole : (l, 2) corners of a hole inside of it; default: none.
+        points : (k, 2) array [m]
+            Corners, at least 3, in either sense; the last is not the first again.
+        hole : (l, 2) array [m]
+            Corners of a hole inside of it; default: none.
 
         Raises
         ------
-        ValueError : too few or not finite points, no area, sides that cross, a hole that is not
-            inside.
+        ValueError
+            Too few or not finite points, no area, sides that cross, a hole that is not inside.
         """
         outer = corners(points, "points")
         inner = None if hole is None else corners(hole, "hole")
@@ -64,8 +66,10 @@ class Outline:
 
         Raises
         ------
-        ValueError : not one known kind, or numbers that its maker refuses.
-        TypeError : numbers of other names than the maker's.
+        ValueError
+            Not one known kind, or numbers that its maker refuses.
+        TypeError
+            Numbers of other names than the maker's.
         """
         kinds = {"circle", "tube", "rectangle", "polygon"}
         if len(document) != 1 or not kinds.issuperset(document):
@@ -95,11 +99,13 @@ class Outline:
 
         Parameters
         ----------
-        sides : into how many chords a circle is cut, at least 3; default 24.
+        sides : int
+            Into how many chords a circle is cut, at least 3; default 24.
 
         Returns
         -------
-        (k, 2) along a1 and a2 [m], counter-clockwise seen from the tip of a3; of a hole, clockwise.
+        list of (k, 2) arrays [m]
+            Along a1 and a2, counter-clockwise seen from the tip of a3; of a hole, clockwise.
         """
         raise NotImplementedError
 

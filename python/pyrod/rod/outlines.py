@@ -29,18 +29,21 @@ def outline_at(rod: Rod, at: End | float) -> Outline:
 
     Between vertices it is linear; where sections jump it is that just behind.
 
-    Parameters
-    ----------
-    rod : the rod.
-    at : "start", "end" or an arc length [m].
-
     A section that was given by its stiffnesses has none (``Section.outline``). Then one is made
     up: the rectangle, a fiftieth of the rod's length in size, whose proportions have the ratio
     EI1/EI2; its thinner side is drawn no thinner than a twentieth of the other.
 
+    Parameters
+    ----------
+    rod : `Rod`
+        The rod.
+    at : "start", "end" or float [m]
+        A place, by its arc length.
+
     Raises
     ------
-    ValueError : the place is not on the rod.
+    ValueError
+        The place is not on the rod.
     """
     s = on_rod(checked(at), [rod.length])[1]
     edge = int(np.clip(np.searchsorted(rod.arc_lengths, s, "right") - 1, 0, rod.edges - 1))

@@ -8,6 +8,7 @@ from typing import Literal, Union
 import numpy as np
 
 from pyrod.base.arrays import number_as
+from pyrod.base.words import shortly
 
 End = Literal["start", "end"]
 Place = Union[End, float, tuple[int, Union[End, float]]]
@@ -19,7 +20,7 @@ def checked(at: Place) -> Place:
     if isinstance(at, tuple):
         is_pair = len(at) == 2 and isinstance(at[0], (int, np.integer)) and at[0] >= 0
         if not is_pair or isinstance(at[1], tuple):
-            raise ValueError(f"at: expected (number of the rod, place), got {at!r}")
+            raise ValueError(f"at: expected (number of the rod, place), got {shortly(at)}")
         return (int(at[0]), _on_one(at[1]))
     return _on_one(at)
 
@@ -27,7 +28,7 @@ def checked(at: Place) -> Place:
 def _on_one(at: End | float) -> End | float:
     if isinstance(at, str):
         if at not in ("start", "end"):
-            raise ValueError(f"at: expected 'start', 'end' or an arc length, got {at!r}")
+            raise ValueError(f"at: expected 'start', 'end' or an arc length, got {shortly(at)}")
         return at
     wanted = "expected 'start', 'end' or an arc length"
     s = number_as(at, "at", wanted)

@@ -89,11 +89,13 @@ def triangles(loops: tuple[Array, ...]) -> Array:
 
     Parameters
     ----------
-    loops : the (k, 2) outer loop, counter-clockwise, and that of a hole, (l, 2), clockwise.
+    loops : sequence of (k, 2) arrays
+        The outer loop, counter-clockwise, and that of a hole, clockwise.
 
     Returns
     -------
-    (m, 3) corners of each, counted through all loops; every side of a loop is in one triangle.
+    (m, 3) array
+        Corners of each, counted through all loops; every side of a loop is in one triangle.
     """
     points = np.vstack(loops)
     left = list(range(len(loops[0])))

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod.base.arrays import array, finite
 from pyrod.base.borrowed import borrowed
-from pyrod.base.immutable import Array, Immutable, Lazy, frozen, vector
+from pyrod.base.immutable import Array, Immutable, Lazy, frozen
 from pyrod.curve._sampling import edge_lengths, natural_edges
 from pyrod.rod.along import Curvature, Sections, masses
 from pyrod.rod.energy import Energy
@@ -22,7 +22,6 @@ from pyrod.rod.outline import Outline
 from pyrod.rod.place import End
 from pyrod.rod.rest_shape import rest_curvature, ribbon
 from pyrod.rod.section import Model
-from pyrod.rotation import as_frame, exp, frame_along, multiply, unit_frame
 
 _ORIGIN: Placement = (frozen([0, 0, 0]), frozen([1, 0, 0, 0]))
 _NO_CURVATURE = frozen([0, 0, 0])
@@ -38,19 +37,27 @@ class Rod(Lazy, Immutable):
 
     Parameters
     ----------
-    edge_lengths : (n,) lengths h [m] of the edges at rest, positive, not necessarily equal.
-    bending : (n + 1, 3) stiffnesses (EI1, EI2, GJ) [N m^2] at the vertices.
-    stretching : (n, 3) stiffnesses (GA1, GA2, EA) [N] of the edges; ``inf`` is rigid.
-    K0 : (n + 1, 3) material curvature at rest [1/m] at the vertices: about a1, a2, and twist.
-    model : "cosserat" (shears and stretches), "extensible" (Kirchhoff, stretches), "inextensible"
-        (Kirchhoff). Strains that a model excludes are zero whatever their stiffness.
-    placement : position (3,) and frame (4,) that the start of the rod has at rest.
-    mass_per_length : (n,) of the edges [kg/m], for `Gravity`; default: none.
+    edge_lengths : (n,) array [m]
+        Lengths h of the edges at rest, positive, not necessarily equal.
+    bending : (n + 1, 3) array [N m^2]
+        Stiffnesses (EI1, EI2, GJ) at the vertices.
+    stretching : (n, 3) array [N]
+        Stiffnesses (GA1, GA2, EA) of the edges; ``inf`` is rigid.
+    K0 : (n + 1, 3) array [1/m]
+        Material curvature at rest at the vertices: about a1, a2, and twist.
+    model : "cosserat", "extensible" or "inextensible"
+        "cosserat" shears and stretches, "extensible" (Kirchhoff) stretches, "inextensible"
+        (Kirchhoff) does neither. Strains that a model excludes are zero whatever their stiffness.
+    placement : ((3,) array [m], (4,) array)
+        Position and frame that the start of the rod has at rest.
+    mass_per_length : (n,) array [kg/m]
+        Of the edges, for `Gravity`; default: none.
 
     Raises
     ------
-    ValueError : wrong shapes, numbers that are not finite, lengths or stiffnesses that are not
-        positive, a rest shape that turns by pi or more from one edge to the next.
+    ValueError
+        Wrong shapes, numbers that are not finite, lengths or stiffnesses that are not positive, a
+        rest shape that turns by pi or more from one edge to the next.
     """
 
     edge_lengths: Array
@@ -121,11 +128,14 @@ class Rod(Lazy, Immutable):
 
         Parameters
         ----------
-        length : length [m].
-        edges : number n of edges; None: `solve` chooses them, to the accuracy that is wanted.
-        section : a `Section`, a function of arc length that returns one, or a sequence of n
-            sections, one per edge.
-        model : see `Rod`; default: the richest that the section's finite stiffnesses allow.
+        length : float [m]
+            Length at rest.
+        edges : int or None
+            Number n of edges; None: `solve` chooses them, to the accuracy that is wanted.
+        section : `Section`, function or sequence
+            One for all, a function of arc length that returns one, or n of them, one per edge.
+        model : str
+            See `Rod`; default: the richest that the section's finite stiffnesses allow.
         """
         return cls.precurved(length, edges, section, _NO_CURVATURE, model)
 
@@ -142,11 +152,15 @@ class Rod(Lazy, Immutable):
 
         Parameters
         ----------
-        length : length [m], or, with ``edges=None``, the lengths of the edges.
-        edges : number n of edges; None, with one length: `solve` chooses them.
-        section, model : see `Rod.straight`.
-        curvature : (K1, K2, K3) [1/m], bending about a1 and a2 and twist; or one per vertex,
-            (n + 1, 3); or a function of arc length.
+        length : float or (n,) array [m]
+            The length, or, with ``edges=None``, the lengths of the edges.
+        edges : int or None
+            Number n of edges; None, with one length: `solve` chooses them.
+        section : see `Rod.straight`
+        curvature : (3,) or (n + 1, 3) array [1/m], or function
+            (K1, K2, K3), bending about a1 and a2 and twist; or one per vertex; or a function of arc
+            length.
+        model : see `Rod.straight`
         """
         free = edges is None and array(length, "length").ndim == 0
         h = edge_lengths(length, natural_edges(length, curvature) if free else edges)
@@ -163,17 +177,19 @@ class Rod(Lazy, Immutable):
     ) -> Rod:
         """A rod that has the given shape at rest, and that place unless it is clamped elsewhere.
 
-        Parameters
-        ----------
-        positions : (n + 1, 3) vertices [m]; neighbours must not coincide.
-        frames : (n, 4) quaternions or (n, 3, 3) matrices, the frame of each edge. Each is turned
-            the shortest way that brings a3 into the edge; more than 0.5 rad is refused. The signs
-            of quaternions do not matter.
-        section, model : see `Rod.straight`.
-
         The frame at the start continues the curvature of the first vertex over the half edge. The
         rod *is* the polygon: on finer grids (``tol``) all of its turn stays at these vertices,
         where its curvature is told as on its own edges.
+
+        Parameters
+        ----------
+        positions : (n + 1, 3) array [m]
+            Vertices; neighbours must not coincide.
+        frames : (n, 4) or (n, 3, 3) array
+            Quaternions or matrices, the frame of each edge. Each is turned the shortest way that
+            brings a3 into the edge; more than 0.5 rad is refused. The signs of quaternions do not
+            matter.
+        section, model : see `Rod.straight`
         """
         shape = ribbon(positions, frames)
         K0, start = rest_curvature(shape)
@@ -208,7 +224,8 @@ class Rod(Lazy, Immutable):
     def outline(self, at: End | float) -> Outline:  # type: ignore[empty-body]
         """The outline of the cross-section at a place."""
 
-    def placed(
+    @borrowed("pyrod.rod.at_rest:placed")
+    def placed(  # type: ignore[empty-body]
         self,
         position: ArrayLike | None = None,
         frame: ArrayLike | None = None,
@@ -216,14 +233,7 @@ class Rod(Lazy, Immutable):
         tangent: ArrayLike | None = None,
         normal: ArrayLike | None = None,
     ) -> Rod:
-        """The same rod with its start elsewhere at rest; arguments as for `Clamp`."""
-        if tangent is not None:
-            frame = frame_along(tangent, normal)
-        place = (
-            self.placement[0] if position is None else vector(position, "position"),
-            self.placement[1] if frame is None else frozen(unit_frame(frame, "frame")),
-        )
-        return rod_of(self._compiled.replaced(self.model, *place), self._law, place)
+        """The same rod with its start elsewhere at rest."""
 
     def in_model(self, model: Model) -> Rod:
         """The same rod with other strains."""
@@ -249,21 +259,15 @@ class Rod(Lazy, Immutable):
         parts = 2**level
         return on_other_edges(self, np.repeat(self.edge_lengths / parts, parts), None)
 
-    def frame_at_rest(self, vertex: int, frames: Array | None = None) -> Array:
+    @borrowed("pyrod.rod.at_rest:frame_at_rest")
+    def frame_at_rest(self, vertex: int, frames: Array | None = None) -> Array:  # type: ignore[empty-body]
         """(4,) frame of a vertex at rest; ``frames``: those of the edges, if they are at hand."""
-        if vertex == 0:
-            return self.placement[1]
-        q = self.at_rest()[1] if frames is None else frames
-        return multiply(q[vertex - 1], exp(self.edge_lengths[vertex - 1] / 2 * self.K0[vertex]))
 
-    def at_rest(
+    @borrowed("pyrod.rod.at_rest:at_rest")
+    def at_rest(  # type: ignore[empty-body]
         self, position: ArrayLike | None = None, frame: ArrayLike | None = None
     ) -> tuple[Array, Array]:
         """Positions (n + 1, 3) and frames (n, 4) of the stress-free shape, started as given."""
-        return self._compiled.at_rest(
-            self.placement[0] if position is None else vector(position, "position"),
-            self.placement[1] if frame is None else as_frame(frame, "frame"),
-        )
 
     @borrowed("pyrod.rod.energy_of:energy_of")
     def energy(  # type: ignore[empty-body]
@@ -274,6 +278,10 @@ class Rod(Lazy, Immutable):
         end_frame: ArrayLike | None = None,
     ) -> Energy:
         """Elastic energy, Linn (49) and (51), with gradient and Hessian."""
+
+    @borrowed("pyrod.notebook.views:rod_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         curved = "precurved" if self.K0.any() else "straight"
@@ -296,5 +304,9 @@ def on_other_edges(rod: Rod, h: Array, kept: list[float] | None) -> Rod:
 
 # What help and editors show is what the dataclass takes, not what `__new__` looks at.
 Rod.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
-    list(inspect.signature(Rod.__init__).parameters.values())[1:]
+    [
+        parameter
+        for name, parameter in inspect.signature(Rod.__init__).parameters.items()
+        if name != "self" and name[0] != "_"
+    ]
 )

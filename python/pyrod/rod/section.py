@@ -22,9 +22,12 @@ class Material:
 
     Parameters
     ----------
-    E : Young's modulus [Pa], positive.
-    nu : Poisson's ratio, in (-1, 0.5]; default 0.3.
-    density : [kg/m^3], for `Gravity`; default 0.
+    E : float [Pa]
+        Young's modulus, positive.
+    nu : float
+        Poisson's ratio, in (-1, 0.5]; default 0.3.
+    density : float [kg/m^3]
+        For `Gravity`; default 0.
     """
 
     E: float
@@ -48,13 +51,19 @@ class Section:
 
     Parameters
     ----------
-    EI1, EI2 : bending stiffness about the directors a1, a2 [N m^2].
-    GJ : torsional stiffness [N m^2].
-    GA1, GA2 : shear stiffness along a1, a2 [N]; default infinite, the rod does not shear.
-    EA : axial stiffness [N]; default infinite, the rod keeps its length.
-    mass_per_length : [kg/m], for `Gravity`; default 0.
-    outline : what the section looks like, an `Outline`, for pictures and solids; by keyword.
-        Default None: unknown. No stiffness follows from it.
+    EI1, EI2 : float [N m^2]
+        Bending stiffness about the directors a1, a2.
+    GJ : float [N m^2]
+        Torsional stiffness.
+    GA1, GA2 : float [N]
+        Shear stiffness along a1, a2; default infinite, the rod does not shear.
+    EA : float [N]
+        Axial stiffness; default infinite, the rod keeps its length.
+    mass_per_length : float [kg/m]
+        For `Gravity`; default 0.
+    outline : `Outline`
+        What the section looks like, for pictures and solids; by keyword. Default None: unknown. No
+        stiffness follows from it.
     """
 
     EI1: float
@@ -84,7 +93,13 @@ class Section:
 
     @staticmethod
     def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
-        """Ring between two radii [m]. Shear after Cowper (1966)."""
+        """Ring between two radii. Shear after Cowper (1966).
+
+        Parameters
+        ----------
+        outer_radius, inner_radius : float [m]
+        material : `Material`
+        """
         outer_radius = number(outer_radius, "outer_radius")
         inner_radius, material = number(inner_radius, "inner_radius"), _checked_material(material)
         stiffnesses = _core.section.tube(outer_radius, inner_radius, material.E, material.nu)
@@ -92,9 +107,13 @@ class Section:
 
     @staticmethod
     def rectangle(width: float, height: float, material: Material) -> Section:
-        """Solid rectangle, ``width`` along a1 and ``height`` along a2 [m].
+        """Solid rectangle. Torsion after Saint-Venant, shear after Cowper (1966).
 
-        Torsion after Saint-Venant, shear after Cowper (1966).
+        Parameters
+        ----------
+        width, height : float [m]
+            Along a1 and a2.
+        material : `Material`
         """
         width, height = number(width, "width"), number(height, "height")
         material = _checked_material(material)

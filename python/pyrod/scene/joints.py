@@ -7,6 +7,7 @@ from typing import Literal
 
 import pyrod._core as _core
 from pyrod.base.immutable import Array
+from pyrod.base.words import shortly
 from pyrod.rod.place import Place, checked
 from pyrod.scene.part import Part
 from pyrod.scene.supports import unit, whole_turns
@@ -18,15 +19,20 @@ class Joint(Part):
 
     Parameters
     ----------
-    points : two places or more, each as for `Clamp`.
-    kind : "rigid" (default): the cross-sections keep the angles to each other that they have at
-        rest; "hinge": all others may turn about one axis against the first; "ball": they share the
-        point only.
-    axis : (3,) of a hinge, in space where the rods are at rest; it goes with the first rod.
-    turns : full turns about a3 that the rod of the last point makes from its support before,
-        besides what the frames tell: the twist that is put into a ring.
-    aligned : for a ring: the frames of the ends become one, whatever they are at rest. Default:
-        where the points of a rigid joint are not in one place at rest.
+    points : sequence of places
+        Two places or more, each as for `Clamp`.
+    kind : "rigid", "hinge" or "ball"
+        "rigid" (default): the cross-sections keep the angles to each other that they have at rest;
+        "hinge": all others may turn about one axis against the first; "ball": they share the point
+        only.
+    turns : int
+        Full turns about a3 that the rod of the last point makes from its support before, besides
+        what the frames tell: the twist that is put into a ring.
+    aligned : bool
+        For a ring: the frames of the ends become one, whatever they are at rest. Default: where the
+        points of a rigid joint are not in one place at rest.
+    axis : (3,) array
+        Of a hinge, in space where the rods are at rest; it goes with the first rod.
     """
 
     points: tuple[Place, ...]
@@ -41,7 +47,7 @@ class Joint(Part):
         if len(points) < 2:
             raise ValueError(f"points: a joint needs two or more, got {len(points)}")
         if self.kind not in ("rigid", "hinge", "ball"):
-            raise ValueError(f"kind: expected 'rigid', 'hinge' or 'ball', got {self.kind!r}")
+            raise ValueError(f"kind: expected 'rigid', 'hinge' or 'ball', got {shortly(self.kind)}")
         if (self.kind == "hinge") != (self.axis is not None):
             raise ValueError("axis: a hinge needs one, other joints have none")
         self._set(points=points, turns=whole_turns(self.turns), axis=unit(self.axis, "axis"))

@@ -31,7 +31,7 @@ class Load(Part):
 
     @property
     def acting(self) -> Any:
-        """What acts: (3,), or along a rod (n, 3), one per edge, or a function of arc length."""
+        """What acts, (3,), or along a rod (n, 3), one per edge, or a function of arc length."""
         return getattr(self, self._kind.fields[0])
 
     def with_acting(self, values: Any) -> Load:
@@ -84,12 +84,17 @@ class LoadAlong(Load):
 
 @dataclass(frozen=True, eq=False)
 class Force(PointLoad):
-    """A force (3,) [N] on one point of a rod.
+    """A force on one point of a rod.
 
-    at : "end" (default), "start", an arc length [m], or (number of the rod, one of these). Between
-        two vertices it is shared by them as by a lever.
-    follower : it turns with the rod, and its components are those of the frame there; default: it
-        is dead, fixed in space. A follower has no potential.
+    Parameters
+    ----------
+    force : (3,) array [N]
+    at : "start", "end", float [m], or (int, one of these)
+        An end (default "end"), an arc length, or these with the number of the rod. Between two
+        vertices it is shared by them as by a lever.
+    follower : bool
+        It turns with the rod, and its components are those of the frame there; default: it is dead,
+        fixed in space. A follower has no potential.
     """
 
     force: Array
@@ -100,9 +105,13 @@ class Force(PointLoad):
 
 @dataclass(frozen=True, eq=False)
 class Moment(PointLoad):
-    """A moment (3,) [N m] on one cross-section.
+    """A moment on one cross-section.
 
-    at, follower : as for `Force`. In space neither a dead moment nor a follower has a potential.
+    Parameters
+    ----------
+    moment : (3,) array [N m]
+    at, follower : as for `Force`
+        In space neither a dead moment nor a follower has a potential.
     """
 
     moment: Array
@@ -115,10 +124,15 @@ class Moment(PointLoad):
 class DistributedForce(LoadAlong):
     """A force per length at rest [N/m].
 
-    force_per_length : (3,), (n, 3) one per edge, or a function of arc length, which is taken at the
-        centres of the edges.
-    rod : number of the rod it acts on.
-    follower : as for `Force`.
+    Parameters
+    ----------
+    force_per_length : (3,) or (n, 3) array [N/m], or function
+        One for all, one per edge, or a function of arc length, which is taken at the centres of the
+        edges.
+    rod : int
+        Number of the rod it acts on.
+    follower : bool
+        As for `Force`.
     """
 
     force_per_length: Along
@@ -131,7 +145,9 @@ class DistributedForce(LoadAlong):
 class DistributedMoment(LoadAlong):
     """A moment per length at rest [N].
 
-    moment_per_length, rod, follower : as for `DistributedForce`.
+    Parameters
+    ----------
+    moment_per_length, rod, follower : as for `DistributedForce`
     """
 
     moment_per_length: Along
@@ -144,7 +160,10 @@ class DistributedMoment(LoadAlong):
 class Gravity(Load):
     """The weight of all rods whose sections have a mass per length.
 
-    acceleration : (3,) [m/s^2]; default: 9.81 along -z.
+    Parameters
+    ----------
+    acceleration : (3,) array [m/s^2]
+        Default: 9.81 along -z.
     """
 
     acceleration: Array = (0.0, 0.0, -9.81)  # type: ignore[assignment]

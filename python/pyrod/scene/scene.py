@@ -11,6 +11,7 @@ from typing import Any, Literal
 import pyrod._core as _core
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Once
+from pyrod.base.words import shortly
 from pyrod.rod.rod import Rod, rod_of
 from pyrod.scene.joints import Joint
 from pyrod.scene.loads import Load, LoadAlong, on_cut_edges, sampled_load, stepwise_load
@@ -25,21 +26,27 @@ class Scene(Immutable):
 
     Parameters
     ----------
-    rods : a `Rod`, or several. Supports and joints between two vertices get a vertex of their own,
-        so the scene's rods may have more edges than those given. Where rods leave their edges to
-        the solver, point loads get vertices, too.
-    supports : `Clamp`, `Hinge`, `Slider`, `Sleeve`, `Pivot`, `Spring`; any number. Ends without one
+    rods : `Rod`, or several
+        A `Rod`, or several. Supports and joints between two vertices get a vertex of their own, so
+        the scene's rods may have more edges than those given. Where rods leave their edges to the
+        solver, point loads get vertices, too.
+    supports : supports
+        `Clamp`, `Hinge`, `Slider`, `Sleeve`, `Pivot`, `Spring`; one or any number. Ends without one
         are free.
-    loads : `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`; any number.
-    space : "spatial" (default), or "planar": the rods stay in the plane of the directors a1 and a3
-        of the first clamp (else of the first rod at rest), which takes a third of the unknowns.
-        What leaves the plane is refused.
-    joints : `Joint`, any number.
+    loads : loads
+        `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`; one or any number.
+    space : "spatial" or "planar"
+        In the plane (not default) the rods stay in that of the directors a1 and a3 of the first
+        clamp (else of the first rod at rest), which takes a third of the unknowns. What leaves the
+        plane is refused.
+    joints : `Joint`, or several
+        Any number.
 
     Raises
     ------
-    ValueError : places that are not on a rod, points that are held or joined twice, loads that
-        nothing holds against.
+    ValueError
+        Places that are not on a rod, points that are held or joined twice, loads that nothing holds
+        against.
     """
 
     rods: tuple[Rod, ...]
@@ -60,7 +67,7 @@ class Scene(Immutable):
         loads, joints = _tuple(loads, Load, "loads"), _tuple(joints, Joint, "joints")
         if not isinstance(space, str) or space not in ("planar", "spatial"):
             raise ValueError(
-                f"space: expected 'planar' or 'spatial', got {space!r}{_belonging(space)}"
+                f"space: expected 'planar' or 'spatial', got {shortly(space)}{_belonging(space)}"
             )
         for load in loads:
             if isinstance(load, LoadAlong):
@@ -150,6 +157,10 @@ class Scene(Immutable):
     @borrowed("pyrod.files:save")
     def save(self, path: str | Path, **options: Any) -> None:
         """Writes this to a file whose suffix tells the format; see `pyrod.save`."""
+
+    @borrowed("pyrod.notebook.views:scene_html")
+    def _repr_html_(self) -> str:  # type: ignore[empty-body]
+        """What notebooks show."""
 
     def __repr__(self) -> str:
         rods = repr(self.rods[0]) if len(self.rods) == 1 else f"{len(self.rods)} rods"

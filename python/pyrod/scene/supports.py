@@ -65,13 +65,17 @@ class Clamp(Support):
 
     Parameters
     ----------
-    position : (3,) [m]; default: where the rod is at rest, its start in the origin unless made from
-        a curve.
-    frame : (4,) unit quaternion or (3, 3) matrix; or, instead,
-    tangent, normal : directions of a3 and, as near as can be, of a1. Default: the frame at rest; a
-        rod that is not made from a curve starts along z, with a1 along x.
-    at : "start" (default), "end", an arc length [m], or a tuple (number of the rod, one of these).
-    turns : full turns about a3 that are put into the rod between the support before and this one,
+    position : (3,) array [m]
+        Default: where the rod is at rest, its start in the origin unless made from a curve.
+    frame : (4,) or (3, 3) array
+        Unit quaternion or matrix; or, instead,
+    tangent, normal : (3,) array
+        Directions of a3 and, as near as can be, of a1. Default: the frame at rest; a rod that is
+        not made from a curve starts along z, with a1 along x.
+    at : "start", "end", float [m], or (int, one of these)
+        An end (default "start"), an arc length, or these with the number of the rod.
+    turns : int
+        Full turns about a3 that are put into the rod between the support before and this one,
         besides what it has at rest and what the frames ask for at the least. They decide which of
         the shapes with these frames is looked for.
     """
@@ -98,8 +102,11 @@ class Hinge(Support):
     """Holds the position of a point of the rod, which may turn in every way (a ball joint to
     ground).
 
-    position : (3,) [m]; default: where the rod is at rest.
-    at : as for `Clamp`.
+    Parameters
+    ----------
+    position : (3,) array [m]
+        Default: where the rod is at rest.
+    at : as for `Clamp`
     """
 
     holds_frame = False
@@ -115,12 +122,17 @@ class Slider(Support):
 
     Parameters
     ----------
-    along : (3,) direction of the line; or
-    normal : (3,) normal of the plane.
-    position : (3,) a point of the line or plane [m]; default: where the rod is at rest.
-    frame : (4,) or (3, 3): holds the cross-section in this frame.
-    clamped : holds the cross-section in the frame that it has at rest.
-    at : as for `Clamp`.
+    along : (3,) array
+        Direction of the line; or
+    normal : (3,) array
+        Normal of the plane.
+    position : (3,) array [m]
+        A point of the line or plane; default: where the rod is at rest.
+    frame : (4,) or (3, 3) array
+        Holds the cross-section in this frame.
+    clamped : bool
+        Holds the cross-section in the frame that it has at rest.
+    at : as for `Clamp`
     """
 
     along: Array | None
@@ -157,7 +169,9 @@ class Slider(Support):
 class Sleeve(Support):
     """Holds the frame of a cross-section, which may slide along its a3.
 
-    position, frame or tangent and normal, at : as for `Clamp`.
+    Parameters
+    ----------
+    position, frame, tangent, normal, at : as for `Clamp`
     """
 
     _kind = _core.Sleeve
@@ -169,9 +183,12 @@ class Pivot(Support):
 
     Parameters
     ----------
-    axis : (3,) direction in space.
-    position, frame, at : as for `Clamp`; the frame is that before it turns.
-    along : (3,) direction in which the pin may slide; default: none.
+    axis : (3,) array
+        Direction in space.
+    position, frame, at : as for `Clamp`
+        The frame is that before it turns.
+    along : (3,) array
+        Direction in which the pin may slide; default: none.
     """
 
     axis: Array
@@ -197,9 +214,12 @@ class Spring(Support):
 
     Parameters
     ----------
-    stiffness : [N/m], in every direction; not negative.
-    torsion : [N m], about every axis: the moment is ``torsion`` times the rotation vector.
-    position, frame, at : as for `Clamp`; where the springs are at rest.
+    stiffness : float [N/m]
+        In every direction; not negative.
+    torsion : float [N m]
+        About every axis: the moment is ``torsion`` times the rotation vector.
+    position, frame, at : as for `Clamp`
+        Where the springs are at rest.
     """
 
     stiffness: float

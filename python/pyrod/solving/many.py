@@ -35,18 +35,26 @@ def solve_many(
 
     Parameters
     ----------
-    scenes : any number. Scenes that are the same object wait for each other if ``tol`` is given.
-    starts : one start per scene, see `solve`; default: none.
-    threads : default 0: as many as the machine has cores.
-    strict : raise `NotConverged` for the first that fails; all results are in ``.results``.
-    progress : True: a bar on standard error; or a function of the numbers of scenes that are done
-        and of all.
-    options, tol, stable, eigenvalue : see `solve`.
+    scenes : sequence of `Scene`
+        Any number. Scenes that are the same object wait for each other if ``tol`` is given.
+    options, tol : see `solve`
+    starts : sequence
+        One start per scene, see `solve`; default: none.
+    threads : int
+        Default 0: as many as the machine has cores.
+    strict : bool
+        Raise `NotConverged` for the first that fails; all results are in ``.results``.
+    stable, eigenvalue : see `solve`
+    progress : bool or function
+        True: a bar on standard error; or a function of the numbers of scenes that are done and of
+        all.
 
     Raises
     ------
-    ValueError : a scene or a start that cannot be solved; its number is in the message.
-    KeyboardInterrupt : Ctrl-C is looked for between scenes.
+    ValueError
+        A scene or a start that cannot be solved; its number is in the message.
+    KeyboardInterrupt
+        Ctrl-C is looked for between scenes.
     """
     if isinstance(scenes, Scene):
         raise TypeError("scenes: expected several, got one Scene; for one there is solve")
@@ -82,7 +90,7 @@ def _start(number: int, start: Any, scene: Scene) -> Any:
     try:
         return start_of(start, scene)
     except (ValueError, TypeError) as error:
-        raise type(error)(f"scene {number}: {error}") from error
+        raise type(error)(f"scene {number}: {error}") from None
 
 
 def _refuse_failures(results: list[Equilibrium]) -> None:

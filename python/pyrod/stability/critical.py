@@ -12,6 +12,10 @@ from numpy.typing import ArrayLike
 from pyrod._core import Options
 from pyrod.base.arrays import number
 from pyrod.base.immutable import Array, Immutable
+from pyrod.base.words import shortly
+from pyrod.notebook.table import Row, page
+from pyrod.notebook.views import pictured
+from pyrod.pictures.displaced import shown_mode
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import AccuracyWarning
 from pyrod.scene.scene import Scene, checked_scene
@@ -28,11 +32,11 @@ class Critical(Immutable):
     """Where an equilibrium loses its stability as its loads grow."""
 
     kind: LossKind
-    """"bifurcation": the equilibrium goes on, but is unstable; "limit point": it comes to an end,
-    and the rod snaps; "none": it is stable up to the largest factor that was tried."""
+    """"bifurcation", the equilibrium goes on, but is unstable; "limit point", it comes to an end,
+    and the rod snaps; "none", it is stable up to the largest factor that was tried."""
     factor: float  #: of the loads, extrapolated from three grids; infinite if there is none
     error: float
-    """Estimate of the error of ``factor``: that of the grids, and of the search on them."""
+    """Estimate of the error of ``factor``, that of the grids, and of the search on them."""
     equilibrium: Equilibrium
     """On the scene's edges, at their own critical load; of limit points, just below it; if there is
     none, under the largest loads that were tried. Edges are cut where something jumps inside."""
@@ -50,19 +54,35 @@ class Critical(Immutable):
 
         Parameters
         ----------
-        amplitude : largest turn [rad] of the shape, along the mode, from which it is looked for;
-            its sign says to which side. Default 0.1.
-        beyond : how far the loads exceed those of ``equilibrium``, relative to them; default 0.01.
+        amplitude : float [rad]
+            Largest turn of the shape, along the mode, from which it is looked for; its sign says to
+            which side. Default 0.1.
+        beyond : float
+            How far the loads exceed those of ``equilibrium``, relative to them; default 0.01.
 
         Raises
         ------
-        ValueError : there is no critical load.
-        NotConverged : no equilibrium is found.
+        ValueError
+            There is no critical load.
+        NotConverged
+            No equilibrium is found.
         """
         if self.kind == "none":
             raise ValueError("buckled: no critical load was found, see kind")
         scene = self._path.scene((1 + beyond) * self.grid_factor)
         return solved(scene, start=self.equilibrium.along_mode(amplitude))
+
+    def _repr_html_(self) -> str:
+        """What notebooks show: the equilibrium; dashed: displaced along its mode."""
+        moved = [] if self.mode is None else shown_mode(self.equilibrium)
+        rows = [
+            Row("kind", self.kind),
+            Row("factor", self.factor),
+            Row("error of the factor", self.error),
+            Row("factor on the scene's edges", self.grid_factor),
+            Row("index above", "no equilibrium" if self.index_after is None else self.index_after),
+        ]
+        return page("Critical load", rows, *pictured(self.equilibrium, moved))
 
     def __repr__(self) -> str:
         if self.kind == "none":
@@ -90,30 +110,41 @@ def critical_load(
 
     Parameters
     ----------
-    scene : a scene whose loads have a potential. Rods that leave their edges to the solver have
-        those that it starts from.
-    upper : the largest factor that is tried; default: a hundred times that under which the
-        stiffest rod would buckle as a hinged column (pi^2 EI/L^2 of the shortest, sum of all
-        loads) if they make the scene stiffer, else as many as its edges can tell (4 EI/h^2), or
-        until they turn it inside out.
-    loads : numbers of the loads that grow, in the order of the scene; default: all. The others act
-        as they are.
-    start : what the equilibrium without the growing loads is looked for from, an equilibrium or
-        frames (n, 4) or (n, 3, 3) of the edges of all rods; default: the shape at rest.
-    rtol : relative error of the factor on each grid; default 1e-8.
-    options : see `solve`.
+    scene : `Scene`
+        A scene whose loads have a potential. Rods that leave their edges to the solver have those
+        that it starts from.
+    upper : float
+        The largest factor that is tried; default: a hundred times that under which the stiffest rod
+        would buckle as a hinged column (pi^2 EI/L^2 of the shortest, sum of all loads) if they make
+        the scene stiffer, else as many as its edges can tell (4 EI/h^2), or until they turn it
+        inside out.
+    loads : sequence of int
+        Numbers of the loads that grow, in the order of the scene; default: all. The others act as
+        they are.
+    start : `Equilibrium`, (n, 4) or (n, 3, 3) array
+        What the equilibrium without the growing loads is looked for from, an equilibrium or frames
+        of the edges of all rods; default: the shape at rest.
+    rtol : float
+        Relative error of the factor on each grid; default 1e-8.
+    options : `Options`
+        See `solve`.
 
     Raises
     ------
-    ValueError : loads that follow the rods or have no potential otherwise; a scene that is
-        unstable, or can move freely, without them.
-    NotConverged : without the loads no equilibrium is found.
-    RuntimeError : the equilibrium cannot be followed, or the grids do not agree.
+    ValueError
+        Loads that follow the rods or have no potential otherwise; a scene that is unstable, or can
+        move freely, without them.
+    NotConverged
+        Without the loads no equilibrium is found.
+    RuntimeError
+        The equilibrium cannot be followed, or the grids do not agree.
 
     Warns
     -----
-    AccuracyWarning : the grids do not converge as they should, so that nothing was extrapolated.
-    StrainWarning : as in `solve`.
+    AccuracyWarning
+        The grids do not converge as they should, so that nothing was extrapolated.
+    StrainWarning
+        As in `solve`.
     """
     growing = _growing(checked_scene(scene), loads)
     rtol = number(rtol, "rtol")
@@ -149,7 +180,7 @@ def _growing(scene: Scene, loads: Iterable[int] | None) -> frozenset[int]:
     count = len(scene.loads)
     growing = frozenset(range(count) if loads is None else loads)
     if not growing or not growing <= set(range(count)):
-        raise ValueError(f"loads: expected numbers below {count}, got {sorted(growing)}")
+        raise ValueError(f"loads: expected numbers below {count}, got {shortly(list(growing))}")
     if any(load.follower for load in scene.loads):
         raise ValueError(
             "loads: those that follow the rods have no potential, so that stability is a matter "

@@ -45,7 +45,8 @@ class Path:
 
     Raises
     ------
-    ValueError : the unloaded scene is not in a stable equilibrium, or the loads have no potential.
+    ValueError
+        The unloaded scene is not in a stable equilibrium, or the loads have no potential.
     """
 
     def __init__(

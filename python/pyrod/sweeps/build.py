@@ -10,6 +10,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Union
 
+from pyrod.base.words import listed, shortly
 from pyrod.scene.scene import Scene
 
 Source = Union[Callable[..., Scene], Scene, str, "PathLike[str]", Mapping[str, Any]]
@@ -40,7 +41,8 @@ def builder_of(source: Source, example: Mapping[str, Any]) -> Callable[..., Scen
 
     Raises
     ------
-    ValueError, TypeError : it does not take them; there is no such entry.
+    ValueError, TypeError
+        It does not take them; there is no such entry.
     """
     if callable(source):
         _refuse_arguments(source, example)
@@ -88,8 +90,8 @@ def _keys(document: Any, path: str) -> list[str | int]:
         choice = _choice(document)
         if word not in choice:
             there = ".".join(map(str, keys)) or "the scene"
-            entries = ", ".join(choice) or "no entries"
-            raise ValueError(f"parameters: {path!r} is no entry; {there} has {entries}")
+            entries = listed(choice) or "no entries"
+            raise ValueError(f"parameters: {shortly(path)} is no entry; {there} has {entries}")
         keys.append(choice[word])
         document = document[keys[-1]]
     return keys

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
 
+from pyrod.base.words import shortly
+
 if TYPE_CHECKING:
     import pandas as pd
 
@@ -45,7 +47,8 @@ def cases_of(parameters: Parameters) -> Cases:
 
     Raises
     ------
-    ValueError, TypeError : there are none, or they are not told by names.
+    ValueError, TypeError
+        There are none, or they are not told by names.
     """
     if isinstance(parameters, Mapping):
         return _grid(parameters)
@@ -59,13 +62,13 @@ def _grid(parameters: Mapping[str, Iterable[Any]]) -> Cases:
     axes = tuple(_checked_values(name, values) for name, values in parameters.items())
     if prod(map(len, axes)) == 0:
         empty = names[[len(axis) for axis in axes].index(0)]
-        raise ValueError(f"parameters: {empty!r} has no values")
+        raise ValueError(f"parameters: {shortly(empty)} has no values")
     return Cases(names, axes, list(product(*axes)))
 
 
 def _checked_values(name: str, values: Any) -> tuple[Any, ...]:
     if isinstance(values, str) or not isinstance(values, Iterable):
-        raise TypeError(f"parameters: {name!r} needs a list of values, got {values!r}")
+        raise TypeError(f"parameters: {name!r} needs a list of values, got {shortly(values)}")
     return tuple(map(_unboxed, values))
 
 
@@ -96,7 +99,7 @@ def _parameter_names(parameters: Mapping[str, Any]) -> tuple[str, ...]:
         raise ValueError("parameters: there is none")
     for name in names:
         if not isinstance(name, str):
-            raise TypeError(f"parameters: names are strings, got {name!r}")
+            raise TypeError(f"parameters: names are strings, got {shortly(name)}")
         if name in RESERVED:
             raise ValueError(f"parameters: {name!r} is a column of every sweep, use another name")
     return names

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod.base.words import shortly
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.sweeps.cases import RESERVED
 
@@ -38,13 +39,14 @@ def plain(values: Any, arguments: Mapping[str, Any]) -> dict[str, Any]:
 
     Raises
     ------
-    ValueError, TypeError : it is something else, or has the name of something else.
+    ValueError, TypeError
+        It is something else, or has the name of something else.
     """
     if not isinstance(values, Mapping):
         raise TypeError(f"measure: expected a dict, got a {type(values).__name__}")
     for name in values:
         if not isinstance(name, str):
-            raise TypeError(f"measure: names are strings, got {name!r}")
+            raise TypeError(f"measure: names are strings, got {shortly(name)}")
         if name in RESERVED or name in arguments:
             raise ValueError(f"measure: {name!r} is another column already, use another name")
     return {name: _storable(name, value) for name, value in values.items()}
@@ -56,6 +58,7 @@ def _storable(name: str, value: Any) -> Any:
     array = np.array(value)
     if array.dtype.kind not in _KINDS:
         raise TypeError(
-            f"measure: {name!r} must be a number, text or an array of real numbers, got {value!r}"
+            f"measure: {name!r} must be a number, text or an array of real numbers, "
+            f"got {shortly(value)}"
         )
     return array.astype(_KINDS[array.dtype.kind]) if array.ndim else array.item()

@@ -10,6 +10,7 @@ from typing import Any, Literal, get_args
 
 from pyrod._core import Options
 from pyrod.base.progress import Progress, progress_shown
+from pyrod.base.words import shortly
 from pyrod.result.accuracy import checked_tolerance
 from pyrod.rod.section import Model
 from pyrod.solving.job import How
@@ -46,41 +47,54 @@ def sweep(
 
     Parameters
     ----------
-    scene : a function of the parameters that returns a `Scene`; or a scene, the path of a scene
-        file (.toml, .json) or its content as a dict, whose entries the parameters name by their
-        paths: ``"loads.0.force.2"``.
-    parameters : values by name, of which all combinations are solved: {"load": [1, 2], ...}; or a
-        sequence of cases {"load": 1, ...}, or a DataFrame with a row per case.
-    measure : a function of the `Equilibrium` that returns a dict of numbers, text or arrays;
-        default: status, iterations, energy, index, tip (3,) of the last rod, lengths of the largest
+    scene : function, `Scene`, str, Path or dict
+        A function of the parameters that returns a `Scene`; or a scene, the path of a scene file
+        (.toml, .json) or its content as a dict, whose entries the parameters name by their paths:
+        ``"loads.0.force.2"``.
+    parameters : dict of sequences, sequence of dicts, or DataFrame
+        Values by name, of which all combinations are solved: {"load": [1, 2], ...}; or a sequence
+        of cases {"load": 1, ...}, or a DataFrame with a row per case.
+    measure : function
+        A function of the `Equilibrium` that returns a dict of numbers, text or arrays; default:
+        status, iterations, energy, index, tip (3,) of the last rod, lengths of the largest
         curvature, section force and moment (largest_K, largest_force, largest_moment), and
         lowest_eigenvalue and estimated_error if they are known.
-    executor : where to solve: None (default), here, one by one; an executor of
-        ``concurrent.futures`` (threads or processes), of mpi4py, loky or dask, or a
-        ``dask.distributed.Client``. Cases are sent together, as many as take a tenth of a second.
-    options, tol, model, stable, eigenvalue : see `solve`.
-    start : "previous": along the last parameter of a grid, or down a list, each case starts from
-        the equilibrium of the one before.
-    keep_results : keep the equilibria as well, in ``.results``.
-    progress : True (default): a bar on standard error; or a function of the numbers of cases that
-        are done and of all.
-    store : a file (JSON, a line per case) to which what is done is added at once, and from which
-        the same sweep goes on if it was stopped. Functions are known by their names: delete the
-        file when they have changed.
-    retry_failed : solve what failed before once more; default: it stays failed.
+    executor : None, Executor or Client
+        Where to solve: None (default), here, one by one; an executor of ``concurrent.futures``
+        (threads or processes), of mpi4py, loky or dask, or a ``dask.distributed.Client``. Cases are
+        sent together, as many as take a tenth of a second.
+    options, tol, model, stable, eigenvalue : see `solve`
+    start : "previous" or None
+        Along the last parameter of a grid, or down a list, each case starts from the equilibrium of
+        the one before, or (default) none does.
+    keep_results : bool
+        Keep the equilibria as well, in ``.results``.
+    progress : bool or function
+        True (default): a bar on standard error; or a function of the numbers of cases that are done
+        and of all.
+    store : str or Path
+        A file (JSON, a line per case) to which what is done is added at once, and from which the
+        same sweep goes on if it was stopped. Functions are known by their names: delete the file
+        when they have changed.
+    retry_failed : bool
+        Solve what failed before once more; default: it stays failed.
 
     Raises
     ------
-    ValueError, TypeError : parameters that the scene does not have, a store of another sweep,
-        functions that cannot be sent to other processes.
-    KeyboardInterrupt : Ctrl-C; what is done is in the store.
+    ValueError, TypeError
+        Parameters that the scene does not have, a store of another sweep, functions that cannot be
+        sent to other processes.
+    KeyboardInterrupt
+        Ctrl-C; what is done is in the store.
     """
     if start not in (None, "previous"):
-        raise ValueError(f"start: expected 'previous' or None, got {start!r}")
+        raise ValueError(f"start: expected 'previous' or None, got {shortly(start)}")
     if store is not None and keep_results:
         raise ValueError("keep_results: a store holds no equilibria; leave out one of the two")
     if model not in (None, "auto", *get_args(Model)):
-        raise ValueError(f"model: expected 'auto', {', '.join(get_args(Model))}, got {model!r}")
+        raise ValueError(
+            f"model: expected 'auto', {', '.join(get_args(Model))}, got {shortly(model)}"
+        )
     if model == "auto" and tol is None:
         raise ValueError("model: 'auto' needs tol, the error that is allowed")
     began = perf_counter()

@@ -112,4 +112,4 @@ def _refuse_what_cannot_be_sent(function: Function, pool: Executor) -> None:
         raise TypeError(
             f"executor: scene and measure must be sent to other processes, but {error}; write "
             "them with def at the top of a module, or use a ThreadPoolExecutor"
-        ) from error
+        ) from None

@@ -23,7 +23,8 @@ class Store:
 
     Raises
     ------
-    ValueError : the file is of another sweep, or no such file at all.
+    ValueError
+        The file is of another sweep, or no such file at all.
     """
 
     def __init__(self, path: str | PathLike[str], identity: Mapping[str, Any]) -> None:
@@ -65,7 +66,8 @@ class Store:
                 values = {key: _back(value) for key, value in values.items()}
             return Record(**entries, values=values)
         except (ValueError, TypeError, KeyError, AttributeError) as error:
-            raise ValueError(f"store: {self._path} is damaged at {line[:60]!r}") from error
+            what = type(error).__name__
+            raise ValueError(f"store: {self._path} is damaged at {line[:60]!r} ({what})") from None
 
     def add(self, records: Iterable[Record]) -> None:
         """Writes what came of some cases."""

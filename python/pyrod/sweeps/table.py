@@ -12,7 +12,10 @@ import numpy as np
 
 from pyrod.base.immutable import Immutable, sealed
 from pyrod.base.optional import need
+from pyrod.base.words import listed, shortly
 from pyrod.files.atomic import check_place, replacing
+from pyrod.notebook.chart import chart
+from pyrod.notebook.table import MOST_ROWS, column_table, framed
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.sweeps.cases import Cases
 from pyrod.sweeps.work import Record
@@ -39,7 +42,7 @@ class Sweep(Immutable):
     """
 
     parameters: dict[str, tuple[Any, ...]]
-    """Values by name: along the axes of the grid; or, of a list, of every case."""
+    """Values by name, along the axes of the grid; or, of a list, of every case."""
     grid: bool  #: whether all combinations of them were solved
     columns: dict[str, np.ndarray]  #: by name, a row per case; the last parameter runs fastest
     results: tuple[Equilibrium | None, ...] | None  #: per case, if they were kept
@@ -75,7 +78,7 @@ class Sweep(Immutable):
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.columns:
-            raise KeyError(f"{name!r} is not in the sweep; it has {', '.join(self.columns)}")
+            raise KeyError(f"{shortly(name)} is not in the sweep; it has {listed(self.columns)}")
         column = self.columns[name]
         return column.reshape(self.shape + column.shape[1:])
 
@@ -111,11 +114,36 @@ class Sweep(Immutable):
 
         Raises
         ------
-        ValueError : it has another suffix.
+        ValueError
+            It has another suffix.
         """
         check_table(path)
         with replacing(Path(path)) as temporary:
             self.to_pandas().to_csv(temporary)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        """What may stand in brackets."""
+        return list(self.columns)
+
+    def _repr_html_(self) -> str:
+        """What notebooks show: the first cases, and a quantity over the last parameter."""
+        names = [name for name, column in self.columns.items() if _is_small(column)]
+        rows = [(case, *(self.columns[name][case] for name in names)) for case in range(len(self))]
+        kept = rows[:MOST_ROWS]
+        left = len(rows) - len(kept)
+        note = f"{left} more cases; to_pandas() has them all" if left else ""
+        return framed(repr(self), column_table(("case", *names), kept), self._picture(), note)
+
+    def _picture(self) -> str:
+        """The first quantity that is a number with digits, over the parameter that runs fastest."""
+        over = list(self.parameters)[-1]
+        x = self.columns[over]
+        for name in self.quantities:
+            y = self.columns[name]
+            if x.dtype.kind in "iuf" and x.ndim == 1 and y.dtype.kind == "f" and y.ndim == 1:
+                line = self.shape[-1]
+                return chart(x.reshape(-1, line), y.reshape(-1, line), over, name)
+        return ""
 
     def __repr__(self) -> str:
         parts = [f"{len(self)} cases"]
@@ -143,10 +171,16 @@ def sweep_of(cases: Cases, records: Mapping[int, Record], keep: bool, elapsed: f
     return Sweep(parameters, cases.axes is not None, sealed(columns), results, elapsed)
 
 
+def _is_small(column: np.ndarray) -> bool:
+    """Whether a column says something in a small table: short rows, not all of them empty."""
+    short = column.ndim == 1 or column[0].size <= 4
+    return short and not (column.dtype.kind == "U" and not (column != "").any())
+
+
 def check_table(path: str | PathLike[str]) -> None:
     """Refuses paths at which no table can be, before there is one."""
     if Path(path).suffix != ".csv":
-        raise ValueError(f"path: a sweep is saved as .csv, got {str(path)!r}")
+        raise ValueError(f"path: a sweep is saved as .csv, got {shortly(str(path))}")
     check_place(Path(path))
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from time import perf_counter
 from typing import Any, Literal, NamedTuple
 
+from pyrod.base.words import shortly
 from pyrod.models.solve import found
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
@@ -74,5 +75,5 @@ class Work:
     def _scene(self, arguments: dict[str, Any]) -> Scene:
         scene = self.build(**arguments)
         if not isinstance(scene, Scene):
-            raise TypeError(f"scene: the function must return a Scene, got {scene!r}")
+            raise TypeError(f"scene: the function must return a Scene, got {shortly(scene)}")
         return scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pyrod/scene/breaks.hpp>
+#include <pyrod/scene/break_search.hpp>
 
 #include <doctest/doctest.h>
 

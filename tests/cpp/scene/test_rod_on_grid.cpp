@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pyrod/rotation/frame_along.hpp>
 #include <pyrod/scene/rod_on_grid.hpp>
-#include <pyrod/scene/with_vertices.hpp>
+#include <pyrod/scene/rod_spec.hpp>
 
 #include <doctest/doctest.h>
 

@@ -3,6 +3,7 @@
 #include <pyrod/solve/homotopy.hpp>
 #include <pyrod/solve/newton.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
+#include <pyrod/statics/start/moving_supports.hpp>
 #include <pyrod/statics/start/start.hpp>
 
 #include "support/models.hpp"
@@ -44,20 +45,20 @@ TEST_CASE_TEMPLATE("at first all is at rest, at last all is where it is held", S
   const NetworkProblem<Space> problem(layout);
   const auto rest = shapes.at_rest();
   auto x = rest;
-  shapes.move_supports(0, rest, x);
+  move_supports(layout, 0, rest, x);
   CHECK(distance(x.positions, rest.positions) < 1e-15);
   CHECK(distance(x.node_frames, rest.node_frames) < 1e-15);
   auto here = problem.linearisation();
   problem.linearise(x, Hessian::exact, here);
   CHECK(here.gradient.norm() < 1e-12 * problem.unit_energy());
 
-  shapes.move_supports(1, rest, x);
+  move_supports(layout, 1, rest, x);
   for (int v = 0; v < 2; ++v) {
     const auto& node = layout.network().nodes[v];
     CHECK(distance(x.positions[v], node.position) < 1e-15);
     CHECK(distance(x.node_frames[v], node.frame) < 1e-14);
   }
-  shapes.move_supports(0.5, rest, x);
+  move_supports(layout, 0.5, rest, x);
   CHECK(distance(x.positions[1],
                  Point<Space>((rest.positions[1] + layout.network().nodes[1].position) / 2)) <
         1e-15);
@@ -71,7 +72,7 @@ TEST_CASE_TEMPLATE("what may slide is not moved along", Space, EACH_SPACE) {
   const Start<Space> shapes(layout);
   const auto rest = shapes.at_rest();
   auto x = rest;
-  shapes.move_supports(1, rest, x);
+  move_supports(layout, 1, rest, x);
   CHECK(x.positions[1][0] == doctest::Approx(rest.positions[1][0]).epsilon(1e-14));
   CHECK(x.positions[1][dim - 1] == doctest::Approx(net.nodes[1].position[dim - 1]).epsilon(1e-14));
 }
@@ -85,7 +86,7 @@ TEST_CASE("followed from rest, the rod arrives stable, with the turns that are p
     Newton<NetworkProblem<Spatial>> newton(problem);
     const auto rest = shapes.at_rest();
     const auto path = follow(
-        newton, [&](double λ, NetworkState<Spatial>& x) { shapes.move_supports(λ, rest, x); },
+        newton, [&](double λ, NetworkState<Spatial>& x) { move_supports(layout, λ, rest, x); },
         rest);
     REQUIRE(path.result.converged());
     CHECK(path.result.index == 0);

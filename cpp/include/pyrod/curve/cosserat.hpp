@@ -56,8 +56,8 @@ inline CosseratCurve<Spatial> closed(std::vector<Vec3> positions, std::vector<Qu
   return {std::move(positions), std::move(frames), last, last};
 }
 
-/// K_j = u_j/Δs_j, Linn (48), and Γ_{j-1/2} = Rᵀ (r_j − r_{j-1})/h, Linn (50). Another measure than
-/// `log` replaces 2 log W in (48).
+/// K_j = u_j/Δs_j, Linn (48), and Γ_{j-1/2} = Rᵀ (r_j − r_{j-1})/h, Linn (50); theory (1) and (2).
+/// Another measure than `log` replaces 2 log W in (48).
 template <class Space>
 Strains<Space> strains(const Grid& grid, const CosseratCurve<Space>& curve,
                        Measure measure = Measure::log) {

@@ -37,7 +37,8 @@ TurnJet<Planar, Real> bend_twist(const std::type_identity_t<Vec<1, Real>>& u,
 ///
 /// With du = T φ_b − Tᵀφ_a and m = k (u − rest) the gradient is (−T m, Tᵀ m). The
 /// Hessian is Tᵀ k T, T k Tᵀ and −T k T plus, if exact, what the change of T adds. With
-/// T = d I + ½[u] + c u uᵀ all of it collapses to the vectors u, m, k u and their products with u,
+/// T = d I + ½[u] + c u uᵀ all of it collapses, as theory (6) tells, to the vectors u, m, k u and
+/// their products with u,
 /// and the blocks share their parts (α and M come with the change of T):
 ///   bb, aa = B − Q ± O,   ab = −(B + Q) + M + [r],
 ///   B = d² k + α I + u eᵀ + e uᵀ,   O = ½ d (k [u] − [u] k) + u oᵀ + o uᵀ,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// \file The energy of a rod, Linn (49) + (51), with gradient and Hessian in positions and frames.
 ///
-/// This is the library's definition of a discrete rod. Unknowns are numbered station by station:
-/// r_0, q_{1/2}, r_1, q_{3/2}, …, r_n; frames move as R ← R exp(φ).
+/// This is the library's definition of a discrete rod, theory (3). Unknowns are numbered station by
+/// station: r_0, q_{1/2}, r_1, q_{3/2}, …, r_n; frames move as R ← R exp(φ).
 #pragma once
 
 #include <pyrod/core/hessian.hpp>
@@ -12,6 +12,7 @@
 #include <pyrod/rod/model.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rod/stretch_shear.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
 
 #include <Eigen/SparseCore>

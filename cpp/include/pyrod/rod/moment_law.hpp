@@ -43,7 +43,7 @@ Spin<Space> turn_under_moment(const Spin<Space>& M, const Spin<Space>& C, const 
 }
 
 /// The turn u at which the cell transmits a moment that is M in the components of the frame behind:
-/// Tᵀ m = M.
+/// Tᵀ m = M, theory (10).
 template <class Space>
 Spin<Space> turn_under_moment_behind(const Spin<Space>& M, const Spin<Space>& C,
                                      const Spin<Space>& K0, double Δs) {

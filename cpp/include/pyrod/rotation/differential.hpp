@@ -30,7 +30,7 @@ inline Mat3 inverse_cayley_differential(const Vec3& q) {
   return ((1 - x) * Mat3::Identity() + 2 * skew(q) + 2 * q * q.transpose()) / 4;
 }
 
-/// The differential of the logarithm at one turn u, and its derivative.
+/// The differential of the logarithm at one turn u, theory (4), and its derivative.
 ///
 /// For W = exp(u), log(W exp(φ)) = u + T φ + …, with T = I + ½[u] + c[u]² = D⁻¹; an increment from
 /// the left enters with Tᵀ, since exp(φ) W = W exp(Wᵀφ) and T Wᵀ = Tᵀ.
@@ -57,7 +57,7 @@ class LogDifferentialOf {
   }
 
   /// The derivative of [u]²-terms at fixed m; for any du,
-  ///   d(Tᵀ m) = (N + ½[m]) du,  d(T m) = (N − ½[m]) du.
+  ///   d(Tᵀ m) = (N + ½[m]) du,  d(T m) = (N − ½[m]) du:  theory (5).
   Mat<3, 3, Real> N(const Vec<3, Real>& m) const {
     const Real um = u_.dot(m), c = coefficients_.c;
     Mat<3, 3, Real> N = (coefficients_.slope * (um * u_ - θ2_ * m) - 2 * c * m) * u_.transpose();

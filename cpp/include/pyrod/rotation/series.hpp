@@ -66,7 +66,7 @@ void replace_lanes(LogCoefficients<Pack<W>>& out, const Pack<W>& x, const Mask<W
   }
 }
 
-/// From x = θ², |θ| < 2π. With cot's partial fractions c(θ) = Σ_{k≥1} 2/((2πk)² − θ²): the first
+/// From x = θ², |θ| < 2π. With cot's partial fractions, c(θ) as in theory (7): the first
 /// term, which carries the pole at 2π, is kept as it is, the others are summed as a power series in
 /// θ² with radius (4π)². All terms are positive, so nothing cancels.
 template <Number Real>

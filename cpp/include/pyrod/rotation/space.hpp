@@ -3,11 +3,16 @@
 #pragma once
 
 #include <pyrod/core/types.hpp>
-#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/planar.hpp>
 #include <pyrod/rotation/spatial.hpp>
 
 namespace pyrod {
+
+// In differential.hpp.
+template <class Real>
+class LogDifferentialOf;
+template <class Real>
+class PlanarLogDifferentialOf;
 
 struct Planar {
   static constexpr int dim = 2;   ///< components of a position: 1 and 3
@@ -17,7 +22,7 @@ struct Planar {
   template <class Real>
   using DifferentialOf = PlanarLogDifferentialOf<Real>;
   using Rotation = Angle;
-  using Differential = PlanarLogDifferential;
+  using Differential = PlanarLogDifferentialOf<double>;
 };
 
 struct Spatial {
@@ -28,7 +33,7 @@ struct Spatial {
   template <class Real>
   using DifferentialOf = LogDifferentialOf<Real>;
   using Rotation = Quaternion;
-  using Differential = LogDifferential;
+  using Differential = LogDifferentialOf<double>;
 };
 
 /// A position, force or strain Γ.

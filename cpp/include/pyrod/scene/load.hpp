@@ -4,15 +4,14 @@
 /// Each kind says here what it consists of, and what it adds to a rod on a grid; that is all that
 /// is known of it. `at` is a point that it acts on, `rod` the number of the rod; with neither it
 /// acts on all rods. One that has `follower` may turn with the rod. Values of type `Along` belong
-/// to its rod; where they jump, the rod gets vertices.
+/// to its rod; where they jump, the rod gets vertices. `On` is a `LoadedGrid`, a template so that
+/// who only tells loads need not compile grids.
 #pragma once
 
 #include <pyrod/core/field.hpp>
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/scene/along.hpp>
-#include <pyrod/scene/arrays_on_grid.hpp>
-#include <pyrod/scene/loaded_grid.hpp>
 #include <pyrod/scene/place.hpp>
 
 #include <algorithm>
@@ -38,7 +37,8 @@ struct Force {
     return std::tuple{Field{"force", &Force::force}, Field{"at", &Force::at},
                       Field{"follower", &Force::follower}};
   }
-  void act(LoadedGrid& on) const {
+  template <class On>
+  void act(On& on) const {
     const auto& rod = on.rod();
     if (follower)
       on.loads().add_follower_force(rod.grid, force, on.site(at), {rod.K0.front(), rod.K0.back()});
@@ -58,9 +58,10 @@ struct Moment {
     return std::tuple{Field{"moment", &Moment::moment}, Field{"at", &Moment::at},
                       Field{"follower", &Moment::follower}};
   }
-  void act(LoadedGrid& on) const {
+  template <class On>
+  void act(On& on) const {
     const auto& rod = on.rod();
-    const Site site = on.site(at);
+    const auto site = on.site(at);
     if (!follower) return on.loads().add_moment(rod.grid, moment, site);
     const auto vertex = std::size_t(site.edge + (site.part >= 0.5));
     on.loads().add_follower_moment(rod.grid, moment, site, rod.bending[vertex].cwiseInverse());
@@ -80,7 +81,8 @@ struct DistributedForce {
     return std::tuple{Field{"force_per_length", &Self::force_per_length}, Field{"rod", &Self::rod},
                       Field{"follower", &Self::follower}};
   }
-  void act(LoadedGrid& on) const {
+  template <class On>
+  void act(On& on) const {
     const auto f = on.on_edges(force_per_length, "force_per_length");
     follower ? on.loads().add_follower_force_per_length(on.grid(), f)
              : on.loads().add_force_per_length(on.grid(), f);
@@ -99,7 +101,8 @@ struct DistributedMoment {
     return std::tuple{Field{"moment_per_length", &Self::moment_per_length},
                       Field{"rod", &Self::rod}, Field{"follower", &Self::follower}};
   }
-  void act(LoadedGrid& on) const {
+  template <class On>
+  void act(On& on) const {
     const auto l = on.on_edges(moment_per_length, "moment_per_length");
     follower ? on.loads().add_follower_moment_per_length(on.grid(), l)
              : on.loads().add_moment_per_length(on.grid(), l);
@@ -114,15 +117,17 @@ struct Gravity {
   static constexpr auto fields() {
     return std::tuple{Field{"acceleration", &Gravity::acceleration}};
   }
-  static void check(const std::vector<RodOnGrid>& rods) {
-    const auto heavy = [](const RodOnGrid& rod) {
+  template <class Rods>
+  static void check(const Rods& rods) {
+    const auto heavy = [](const auto& rod) {
       return std::ranges::any_of(rod.mass, [](double m) { return m > 0; });
     };
     require(std::ranges::any_of(rods, heavy),
             "Gravity: no rod has a mass; give its material a density, or its section a "
             "mass_per_length");
   }
-  void act(LoadedGrid& on) const {
+  template <class On>
+  void act(On& on) const {
     std::vector<Vec3> f;
     for (const double m : on.mass()) f.push_back(m * acceleration);
     on.loads().add_force_per_length(on.grid(), f);
@@ -163,7 +168,8 @@ inline bool follows(const Load& load) {
       load);
 }
 /// Refuses what no rod can feel.
-inline void check_load(const Load& load, const std::vector<RodOnGrid>& rods) {
+template <class Rods>
+void check_load(const Load& load, const Rods& rods) {
   std::visit(
       [&](const auto& l) {
         if constexpr (requires { l.check(rods); }) l.check(rods);

@@ -8,12 +8,14 @@
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/directions.hpp>
+#include <pyrod/scene/hold.hpp>
 #include <pyrod/scene/joint.hpp>
 #include <pyrod/scene/load.hpp>
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/scene/placement.hpp>
 #include <pyrod/scene/scene_network.hpp>
 #include <pyrod/scene/scene_on_grids.hpp>
+#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/scene/supports.hpp>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/scene/placement.hpp>
 #include <pyrod/scene/scene_on_grids.hpp>
+#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/scene/supports.hpp>
 
 #include <cstddef>

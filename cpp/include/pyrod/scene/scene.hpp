@@ -2,15 +2,12 @@
 /// \file Scenes: rods, what holds and joins them, and what acts on them.
 #pragma once
 
-#include <pyrod/core/require.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/scene/joint.hpp>
 #include <pyrod/scene/load.hpp>
-#include <pyrod/scene/rod_on_grid.hpp>
 #include <pyrod/scene/rod_spec.hpp>
 #include <pyrod/scene/supports.hpp>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -40,26 +37,14 @@ struct Scene {
       : Scene(std::vector{std::move(rod)}, std::move(held), std::move(acting), in) {}
 
   /// Refuses places and loads on rods that there are not.
-  void check_places() const {
-    require(!rods.empty(), "rods: expected at least one");
-    require(!supports.empty() || !joints.empty(),
-            "supports: nothing holds the rod, so it has no equilibrium; give a Clamp or another "
-            "support");
-    const auto check = [&](int rod, const char* name) {
-      require(rod >= 0 && rod < int(rods.size()), name, ": there is no rod ", rod,
-              ", the scene has ", rods.size());
-    };
-    for (const auto& support : supports) check(place_of(support).rod, "at");
-    for (const auto& joint : joints)
-      for (const auto& place : joint.points) check(place.rod, "at");
-    for (const auto& load : loads)
-      if (const auto rod = rod_of(load)) check(*rod, point_of(load) ? "at" : "rod");
-  }
-
-  bool chooses_edges() const {
-    return std::ranges::any_of(rods, [](const auto& rod) { return rod.chooses; });
-  }
-  bool has_followers() const { return std::ranges::any_of(loads, follows); }
+  void check_places() const;
+  /// Whether the solver chooses the edges of a rod.
+  bool chooses_edges() const;
+  bool has_followers() const;
 };
 
 }  // namespace pyrod
+
+#ifndef PYROD_COMPILED
+#include <pyrod/scene/scene_checks.hpp>
+#endif

@@ -7,12 +7,12 @@
 #include <pyrod/curve/grid.hpp>
 #include <pyrod/rod/section.hpp>
 #include <pyrod/scene/along.hpp>
+#include <pyrod/scene/break_search.hpp>
 #include <pyrod/scene/breaks.hpp>
 #include <pyrod/scene/load.hpp>
 #include <pyrod/scene/rod_spec.hpp>
 #include <pyrod/scene/samples.hpp>
 #include <pyrod/scene/scene.hpp>
-#include <pyrod/scene/with_vertices.hpp>
 
 #include <algorithm>
 #include <cstddef>

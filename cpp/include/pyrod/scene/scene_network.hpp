@@ -9,12 +9,14 @@
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/choice.hpp>
+#include <pyrod/scene/hold.hpp>
 #include <pyrod/scene/joint.hpp>
 #include <pyrod/scene/network.hpp>
 #include <pyrod/scene/place.hpp>
 #include <pyrod/scene/placement.hpp>
 #include <pyrod/scene/rest.hpp>
 #include <pyrod/scene/scene_on_grids.hpp>
+#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/scene/supports.hpp>
 
 #include <algorithm>

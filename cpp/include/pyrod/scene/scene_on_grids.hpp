@@ -10,13 +10,15 @@
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/arrays_on_grid.hpp>
 #include <pyrod/scene/load.hpp>
+#include <pyrod/scene/loaded_grid.hpp>
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/scene/place.hpp>
 #include <pyrod/scene/point_loads.hpp>
 #include <pyrod/scene/rod_on_grid.hpp>
+#include <pyrod/scene/rod_spec.hpp>
 #include <pyrod/scene/scene.hpp>
+#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/scene/supports.hpp>
-#include <pyrod/scene/with_vertices.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,6 +2,7 @@
 /// \file A rod with vertices where they are wanted.
 #pragma once
 
+#include <pyrod/core/definition.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/curve/grid.hpp>
 #include <pyrod/scene/along.hpp>
@@ -54,9 +55,7 @@ inline Vector graded(double length, const std::vector<double>& breaks, int edges
 
 }  // namespace detail
 
-/// The same rod with vertices at the arc lengths [m]. Where the solver chooses the grid, they are
-/// kept.
-inline RodSpec with_vertices(RodSpec spec, const std::vector<double>& at) {
+PYROD_DEFINITION RodSpec with_vertices(RodSpec spec, const std::vector<double>& at) {
   const Grid grid(spec.edge_lengths);
   for (const double s : at) grid.on_rod(s);
   if (is_function(spec.section) || is_function(spec.curvature)) {

@@ -25,7 +25,7 @@ class Anchor {
   /// Of the stiffness: what is added to that of the system.
   double weight() const { return weight_; }
 
-  /// The gradient, and what draws back.
+  /// The gradient, and what draws back, theory (24).
   const Vector& pull(const Vector& gradient, const Vector& stiffness) {
     if (!holds()) return gradient;
     pull_ = gradient + weight_ * stiffness.cwiseProduct(moved_);

@@ -3,7 +3,7 @@
 ///
 /// The errors of a symmetric scheme have an expansion in whole powers of h, from the second on. Its
 /// terms are eliminated one by one (Richardson, Romberg). Nothing is believed unseen: the ratios of
-/// successive differences must be those of the powers (docs/theory.md, "The ladder").
+/// successive differences must be those of the powers, as section 12 of docs/theory.md tells.
 #pragma once
 
 #include <pyrod/core/types.hpp>
@@ -115,10 +115,10 @@ class Extrapolation {
   }
 
   /// What is told are the values before the last elimination. Their column shrinks no less than the
-  /// one before it was seen to, and that tells their errors: where rounding hides the powers, or a
-  /// layer thinner than h, these are as large as the differences. Grids whose own errors do not yet
-  /// shrink quite as they should have more behind them. Errors that happen to vanish on this grid
-  /// are kept from a part of what they were on the one before.
+  /// one before it was seen to, which tells their errors, theory (25): where rounding hides the
+  /// powers, or a layer thinner than h, these are as large as the differences. Grids whose own
+  /// errors do not yet shrink quite as they should have more behind them. Errors that happen to
+  /// vanish on this grid are kept from a part of what they were on the one before.
   std::vector<double> corrections() const {
     const int m = last_ - 1;
     const double ratio = std::clamp(decay(m - 1), std::exp2(1 - power(m)), 0.75);

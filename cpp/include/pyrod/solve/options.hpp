@@ -33,7 +33,7 @@ struct Options {
                             "edges of all rods together on the finest grid that a tolerance may "
                             "lead to"},
         Field<Options, double>{"max_time", &Options::max_time,
-                               "seconds that the grids of a tolerance may take: none is begun that "
+                               "seconds that the grids of a tolerance may take; none is begun that "
                                "would end later, if it took as long as the one before"},
     };
   }

@@ -78,7 +78,7 @@ class ShiftedFactor {
     inertia_ = factor_.factorise(K_, shift_);
   }
 
-  /// Negative eigenvalues on the constraints of what is factorised.
+  /// Negative eigenvalues on the constraints of what is factorised, theory (18).
   int index() const { return inertia_.negative - multipliers_.count(); }
   bool broken() const { return inertia_.broken > 0; }
 

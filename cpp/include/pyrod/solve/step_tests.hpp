@@ -13,8 +13,8 @@
 
 namespace pyrod {
 
-/// The augmented Lagrangian along a step, with multipliers that are new already: its value and
-/// slope at the start, and the weight ν of the constraints that makes the slope negative.
+/// The augmented Lagrangian, theory (19), along a step, with multipliers that are new already: its
+/// value and slope at the start, and the weight ν of the constraints that makes the slope negative.
 struct Merit {
   double value, slope, ν;
 };

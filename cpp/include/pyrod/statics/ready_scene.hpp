@@ -29,6 +29,17 @@ class ReadyScene {
   ReadyScene(const ReadyScene&) = delete;
   ReadyScene& operator=(const ReadyScene&) = delete;
 
+  /// The same with other numbers; how unknowns are numbered is kept. Not while anybody uses it. If
+  /// the scene is refused, nothing has changed.
+  void change(Scene scene) {
+    SceneOnGrids grid(std::move(scene));
+    auto network = network_of(grid);
+    change<Planar>(network);
+    change<Spatial>(network);
+    grid_ = std::move(grid);
+    network_ = std::move(network);
+  }
+
   const Scene& scene() const { return grid_.scene(); }
   const SceneOnGrids& grid() const { return grid_; }
   const SceneNetwork& network() const { return network_; }
@@ -69,13 +80,24 @@ class ReadyScene {
   static constexpr int most_kept_ = 1 << 14;  ///< edges
 
   template <class Space>
-  using Levels = std::map<int, std::shared_ptr<const Posed<Space>>>;
+  using Levels = std::map<int, std::shared_ptr<Posed<Space>>>;
+
+  /// Level 0, if it is this one's alone, and none of those that were refined from it.
+  template <class Space>
+  void change(const SceneNetwork& network) {
+    auto& levels = std::get<Levels<Space>>(levels_);
+    auto coarsest = levels.extract(0);
+    levels.clear();
+    if (!coarsest || coarsest.mapped().use_count() != 1) return;
+    coarsest.mapped()->change(network.network, network.plane);
+    levels.insert(std::move(coarsest));
+  }
 
   template <class Space>
-  std::shared_ptr<const Posed<Space>> pose(int level) const {
-    if (level == 0) return std::make_shared<const Posed<Space>>(network_.network, network_.plane);
+  std::shared_ptr<Posed<Space>> pose(int level) const {
+    if (level == 0) return std::make_shared<Posed<Space>>(network_.network, network_.plane);
     const auto on = network_on(level);
-    return std::make_shared<const Posed<Space>>(on.network, on.plane);
+    return std::make_shared<Posed<Space>>(on.network, on.plane);
   }
 
   SceneOnGrids grid_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/scene/scene.hpp>
+#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/statics/doubts.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/known_start.hpp>
@@ -10,7 +11,11 @@
 #include <pyrod/statics/ready_scene.hpp>
 #include <pyrod/statics/solver.hpp>
 
+#include <algorithm>
 #include <concepts>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace pyrod {
@@ -100,7 +105,7 @@ template <std::same_as<Settings> S>
 struct SceneSolver<S>::Parts {
   Scene given;
   ReadyScene plain;
-  std::once_flag once = {};
+  std::unique_ptr<std::once_flag> once = std::make_unique<std::once_flag>();
   std::unique_ptr<ReadyScene> climbing = {};
 
   explicit Parts(Scene scene)
@@ -117,7 +122,7 @@ const ReadyScene& SceneSolver<S>::plain() const {
 
 template <std::same_as<Settings> S>
 const ReadyScene& SceneSolver<S>::climbing() const {
-  std::call_once(parts_->once, [&parts = *parts_] {
+  std::call_once(*parts_->once, [&parts = *parts_] {
     auto scene = with_vertices_at_places(parts.given, true);
     auto smooth = add_vertices_at_breaks(scene, parts.given.loads);
     parts.climbing = std::make_unique<ReadyScene>(std::move(scene), std::move(smooth));
@@ -134,6 +139,39 @@ Equilibrium SceneSolver<S>::solve(const S& settings) const {
   const ReadyScene& ready = tol ? climbing() : plain();
   return detail::SceneSolve<S>(ready, settings, tol)
       .solve(detail::known_start(settings, plain(), ready));
+}
+
+template <std::same_as<Settings> S>
+void SceneSolver<S>::change(Scene scene) {
+  if (parts_.use_count() > 1) {  // copies keep theirs
+    parts_ = std::make_shared<Parts>(std::move(scene));
+    return;
+  }
+  auto& parts = *parts_;
+  parts.plain.change(with_vertices_at_places(scene, false));
+  parts.given = std::move(scene);
+  parts.once = std::make_unique<std::once_flag>();
+  parts.climbing.reset();
+}
+
+template <std::same_as<Settings> S>
+Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
+  change(std::move(changed));
+  S from = settings;
+  if (!settings.start && settings.frames.empty() && last_ && fits(*last_)) from.start = &*last_;
+  Equilibrium found = std::as_const(*this).solve(from);
+  if (from.start != settings.start && !found.converged() && found.status() != Status::interrupted)
+    found = std::as_const(*this).solve(settings);
+  if (found.converged()) last_ = found;
+  return found;
+}
+
+template <std::same_as<Settings> S>
+bool SceneSolver<S>::fits(const Equilibrium& start) const {
+  const auto& rods = plain().network().network.rods;
+  return std::ranges::equal(rods, start.found.rods, [](const auto& rod, const auto& solved) {
+    return rod.edges() == int(solved.curve.frames.size());
+  });
 }
 
 }  // namespace pyrod

@@ -7,13 +7,14 @@
 
 #include <concepts>
 #include <memory>
+#include <optional>
 
 namespace pyrod {
 
 class ReadyScene;
 
 /// Keeps what does not depend on how a scene is solved: its grids, network, and finer grids. It may
-/// be copied, and used by several threads at once; those that ask for a tolerance take turns.
+/// be copied, and used by several threads at once.
 /// A template, so that only who solves a scene compiles all the solvers. `S`: `Settings`.
 template <std::same_as<Settings> S>
 class SceneSolver {
@@ -24,6 +25,12 @@ class SceneSolver {
   /// The equilibrium. A solve that finds none does not throw, see `Equilibrium::status`.
   Equilibrium solve(const S& settings = {}) const;
 
+  /// Of the scene with other numbers: places, frames, loads, stiffnesses, curvatures; and from now
+  /// on. Starts from what this function found last, and if nothing is found from there, or the
+  /// grid is another, as if that were not known. A scene that is refused changes nothing. Not for
+  /// several threads at once: each takes a copy.
+  Equilibrium solve(Scene changed, const S& settings = {});
+
   /// The scene as it is solved without a tolerance: with vertices where rods are held and joined.
   const ReadyScene& plain() const;
   /// As it is solved with one: also where loads act, and where functions jump or have kinks.
@@ -31,7 +38,11 @@ class SceneSolver {
 
  private:
   struct Parts;
+  void change(Scene scene);
+  bool fits(const Equilibrium& start) const;
+
   std::shared_ptr<Parts> parts_;
+  std::optional<Equilibrium> last_;  ///< that was found after a change
 };
 
 using Solver = SceneSolver<Settings>;

@@ -8,6 +8,7 @@
 #include <pyrod/core/pack.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/bend_twist.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/frames.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/sparse/chain_columns.hpp>
@@ -62,9 +63,9 @@ struct ChainRows {
   double energy = 0, magnitude = 0;
 };
 
-/// Energy, gradient and Hessian of a chain, in one pass from its end to its start: the vertex at
-/// the end of an edge adds to the edge's row, so that a row is complete, and written once, when the
-/// vertex at its start is reached.
+/// L of theory (8), its gradient and Hessian for a chain, in one pass from its end to its start:
+/// the vertex at the end of an edge adds to the edge's row, so that a row is complete, and written
+/// once, when the vertex at its start is reached.
 template <class Space, Hessian kind>
 class ChainLinearisation {
  public:

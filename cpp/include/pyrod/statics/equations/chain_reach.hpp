@@ -13,8 +13,8 @@
 
 namespace pyrod {
 
-/// Σ h R Γ, what is left of it without strains by itself, so that small strains are not rounded
-/// to the length; and Σ h R S Rᵀ, of which the upper triangle.
+/// Σ h R Γ of theory (14), what is left of it without strains by itself, so that small strains are
+/// not rounded to the length; and Σ h R S Rᵀ, of which the upper triangle.
 template <class Space>
 struct Reach {
   Point<Space> rigid, strained;
@@ -22,7 +22,7 @@ struct Reach {
 };
 
 /// The reach, and for each of the first `open` columns of C the row ∂(Cᵀ Σ h R Γ)/∂φ, where
-/// ∂(h R Γ)/∂φ = h R ([b]ᵀ S − [Γ]); a kernel.
+/// ∂(h R Γ)/∂φ = h R ([b]ᵀ S − [Γ]), Bᵀ of theory (17); a kernel.
 template <class Space>
 class ChainReach {
  public:

@@ -7,6 +7,7 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/bend_twist.hpp>
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
 #include <pyrod/solve/problem.hpp>

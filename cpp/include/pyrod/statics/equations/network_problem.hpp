@@ -2,11 +2,12 @@
 /// \file Equilibrium of a network as a problem for the solver.
 ///
 /// Unknown are the frames of the edges, what is not known of the section forces of the spans, and
-/// the frames and positions of nodes where they are needed (docs/theory.md, "Networks").
+/// the frames and positions of nodes where they are needed (theory (15)).
 #pragma once
 
 #include <pyrod/core/hessian.hpp>
 #include <pyrod/core/types.hpp>
+#include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/frames.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/solve/problem.hpp>
@@ -32,12 +33,7 @@ class NetworkProblem {
   static constexpr int dim = Space::dim, spin = Space::spin;
 
   /// `layout` must stay where it is.
-  explicit NetworkProblem(const Layout<Space>& layout)
-      : layout_(layout),
-        net_(layout.network()),
-        loads_(layout),
-        columns_(edge_columns(layout)),
-        scales_(layout) {}
+  explicit NetworkProblem(const Layout<Space>& layout);
 
   const Layout<Space>& layout() const { return layout_; }
 
@@ -56,66 +52,24 @@ class NetworkProblem {
   /// The diagonal of the compliance of an edge.
   Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }
 
-  Storage linearisation() const {
-    BlockSymmetric H(layout_.pattern());
-    const int size = H.size();
-    return {0, 0, Vector::Zero(size), std::move(H)};
-  }
+  Storage linearisation() const;
 
   bool fits(const Storage& made) const { return made.hessian.pattern() == layout_.pattern(); }
 
-  void linearise(const State& x, Hessian kind, Storage& out) const {
-    if (kind == Hessian::exact)
-      linearise<Hessian::exact>(x, out);
-    else
-      linearise<Hessian::convex>(x, out);
-  }
+  void linearise(const State& x, Hessian kind, Storage& out) const;
 
-  void move(const State& x, const Vector& δ, State& out) const {
-    out.frames.resize(x.frames.size());
-    out.forces = x.forces;
-    out.hinge_angles = x.hinge_angles;
-    out.node_frames = x.node_frames;
-    out.positions = x.positions;
-    for (int p = 0; p < int(x.forces.size()); ++p) {
-      const auto& span = layout_.spans()[p];
-      const int e = layout_.first_edge(p), edges = span.last - span.first;
-      dispatch(MoveFrames<Space>{edges, x.frames.data() + e, δ.data() + layout_.frame_row(e),
-                                 out.frames.data() + e});
-      if (span.block >= 0)
-        out.forces[p] += span.open * δ.segment(layout_.row(span.block), span.open.cols());
-    }
-    for (int i = 0; i < layout_.hinges(); ++i)
-      out.hinge_angles[i] += δ[layout_.row(layout_.hinge_block(i))];
-    for (int v = 0; v < int(net_.nodes.size()); ++v) {
-      const auto& node = net_.nodes[v];
-      if (const int b = layout_.turn_block(v); b >= 0)
-        out.node_frames[v] =
-            moved(x.node_frames[v],
-                  Spin<Space>(node.turns * δ.segment(layout_.row(b), node.turns.cols())));
-      if (const int b = layout_.place_block(v); b >= 0)
-        out.positions[v] += node.free * δ.segment(layout_.row(b), node.free.cols());
-    }
-  }
+  void move(const State& x, const Vector& δ, State& out) const;
 
   /// w = (tangent − its symmetric part) v.
-  void multiply_skew(const State& x, const Vector& v, Vector& out) const {
-    NetworkSkew<Space>(layout_, loads_, columns_).multiply(x, v, out);
-  }
+  void multiply_skew(const State& x, const Vector& v, Vector& out) const;
 
   const Vector& weights() const { return scales_.weights(); }
   const Vector& units() const { return scales_.units(); }
   const Vector& stiffness() const { return scales_.stiffness(); }
   const Vector& softness() const { return scales_.softness(); }
 
-  void multiplier_sizes(const State& x, Vector& out) const {
-    Acting changed;
-    scales_.multiplier_sizes(x, loads_.acting(x, changed), out);
-  }
-  void rounding(const State& x, Vector& out) const {
-    Acting changed;
-    scales_.rounding(x, loads_.acting(x, changed), out);
-  }
+  void multiplier_sizes(const State& x, Vector& out) const;
+  void rounding(const State& x, Vector& out) const;
   double unit_energy() const { return layout_.unit_moment(); }
   /// None where all rods are clamped and the loads tell all forces: only a mode without stiffness
   /// can make the factor break.
@@ -199,5 +153,72 @@ class NetworkProblem {
   EdgeColumns<Space> columns_;
   NetworkScales<Space> scales_;
 };
+
+template <class Space>
+NetworkProblem<Space>::NetworkProblem(const Layout<Space>& layout)
+    : layout_(layout),
+      net_(layout.network()),
+      loads_(layout),
+      columns_(edge_columns(layout)),
+      scales_(layout) {}
+
+template <class Space>
+void NetworkProblem<Space>::linearise(const State& x, Hessian kind, Storage& out) const {
+  if (kind == Hessian::exact)
+    linearise<Hessian::exact>(x, out);
+  else
+    linearise<Hessian::convex>(x, out);
+}
+
+template <class Space>
+auto NetworkProblem<Space>::linearisation() const -> Storage {
+  BlockSymmetric H(layout_.pattern());
+  const int size = H.size();
+  return {0, 0, Vector::Zero(size), std::move(H)};
+}
+
+template <class Space>
+void NetworkProblem<Space>::move(const State& x, const Vector& δ, State& out) const {
+  out.frames.resize(x.frames.size());
+  out.forces = x.forces;
+  out.hinge_angles = x.hinge_angles;
+  out.node_frames = x.node_frames;
+  out.positions = x.positions;
+  for (int p = 0; p < int(x.forces.size()); ++p) {
+    const auto& span = layout_.spans()[p];
+    const int e = layout_.first_edge(p), edges = span.last - span.first;
+    dispatch(MoveFrames<Space>{edges, x.frames.data() + e, δ.data() + layout_.frame_row(e),
+                               out.frames.data() + e});
+    if (span.block >= 0)
+      out.forces[p] += span.open * δ.segment(layout_.row(span.block), span.open.cols());
+  }
+  for (int i = 0; i < layout_.hinges(); ++i)
+    out.hinge_angles[i] += δ[layout_.row(layout_.hinge_block(i))];
+  for (int v = 0; v < int(net_.nodes.size()); ++v) {
+    const auto& node = net_.nodes[v];
+    if (const int b = layout_.turn_block(v); b >= 0)
+      out.node_frames[v] = moved(
+          x.node_frames[v], Spin<Space>(node.turns * δ.segment(layout_.row(b), node.turns.cols())));
+    if (const int b = layout_.place_block(v); b >= 0)
+      out.positions[v] += node.free * δ.segment(layout_.row(b), node.free.cols());
+  }
+}
+
+template <class Space>
+void NetworkProblem<Space>::multiply_skew(const State& x, const Vector& v, Vector& out) const {
+  NetworkSkew<Space>(layout_, loads_, columns_).multiply(x, v, out);
+}
+
+template <class Space>
+void NetworkProblem<Space>::multiplier_sizes(const State& x, Vector& out) const {
+  Acting changed;
+  scales_.multiplier_sizes(x, loads_.acting(x, changed), out);
+}
+
+template <class Space>
+void NetworkProblem<Space>::rounding(const State& x, Vector& out) const {
+  Acting changed;
+  scales_.rounding(x, loads_.acting(x, changed), out);
+}
 
 }  // namespace pyrod

@@ -43,7 +43,7 @@ class NetworkSkew {
   }
 
  private:
-  /// −½ [Rᵀm]: with it the tangent is that of the residual in the coordinates exp(φ).
+  /// −½ [Rᵀm], theory (11): with it the tangent is that of the residual in the coordinates exp(φ).
   void add_moment_skew(const Rotation& q, const Spin<Space>& m, int first, const Vector& v,
                        Vector& out) const {
     out.segment<spin>(first) +=

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file What an edge adds to the statics when its section force is known (docs/theory.md, §3).
+/// \file What an edge adds to the statics when its section force is known (theory (8) and (9)).
 #pragma once
 
 #include <pyrod/core/hessian.hpp>
@@ -18,7 +18,7 @@ struct EdgeJet {
   Mat<Space::spin, Space::spin, Real> hessian;
 };
 
-/// Stiffness against turning away from the direction of the force: moment over angle. Never
+/// Stiffness against turning from the direction of the force, theory (12): moment over angle. Never
 /// negative.
 template <class Space, class Real = double>
 Real secant_stiffness(const Point<Space, Real>& b, const Spin<Space, Real>& moment) {

@@ -190,7 +190,7 @@ class Ladder {
       add(what, turn * soft.push / of(what));
   }
 
-  /// Results without what is proportional to h, if there is such.
+  /// Results without what is proportional to h, if corners make such, theory (27).
   std::vector<Vector> from_second_order(const std::vector<Vector>& results) const {
     if (!scene_.corners || rungs_.back().one_axis || results.size() < 2) return results;
     std::vector<Vector> out;

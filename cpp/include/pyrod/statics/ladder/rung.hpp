@@ -83,7 +83,7 @@ inline auto reading(const Vector& from) {
 
 }  // namespace detail
 
-/// K from the moments: the turn of the half cell at an end is that at its middle.
+/// K from the moments, theory (21): the turn of the half cell at an end is that at its middle.
 inline void take_curvatures(RodSolution<Spatial>& rod, const Rod<Spatial>& made) {
   for (std::size_t j = 0; j < rod.strains.K.size(); ++j) {
     rod.material_moment[j] = unrotate(rod.vertex_frames[j], rod.moment[j]);

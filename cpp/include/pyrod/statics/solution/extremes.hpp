@@ -23,7 +23,7 @@ class Extremes {
   }
 
   /// Of the cell of the next vertex: its turn u, and M = C (u/Δs − K⁰). Seen from the middle of the
-  /// turn, the moment that the cell transmits is M − u × (u × M)/24, but for u⁴.
+  /// turn, the moment that the cell transmits is that of theory (23), but for u⁴.
   void add_cell(const Spin<Space>& u, const Spin<Space>& M) {
     const std::size_t j = K_.size();
     Spin<Space> seen = M;

@@ -43,15 +43,7 @@ class Recovery {
         stride_(stride) {}
 
   /// Fills in the rods and the nodes.
-  void fill(Solution<Space>& out) {
-    const std::size_t rods = net_.rods.size();
-    out.rods.clear(), out.nodes.clear();
-    out.rods.resize(rods), out.nodes.reserve(net_.nodes.size()), extremes_.reserve(rods);
-    for (std::size_t rod = 0; rod < rods; ++rod) begin(int(rod), out.rods[rod]);
-    place(out);
-    react(out);
-    for (std::size_t rod = 0; rod < rods; ++rod) finish(int(rod), out.rods[rod]);
-  }
+  void fill(Solution<Space>& out);
 
  private:
   bool keeps(int vertex) const { return vertex % stride_ == 0; }
@@ -218,5 +210,16 @@ class Recovery {
   std::vector<Extremes<Space>> extremes_;  ///< of each rod
   std::vector<HalvedCell<Space>> before_;  ///< rod by rod, along each
 };
+
+template <class Space>
+void Recovery<Space>::fill(Solution<Space>& out) {
+  const std::size_t rods = net_.rods.size();
+  out.rods.clear(), out.nodes.clear();
+  out.rods.resize(rods), out.nodes.reserve(net_.nodes.size()), extremes_.reserve(rods);
+  for (std::size_t rod = 0; rod < rods; ++rod) begin(int(rod), out.rods[rod]);
+  place(out);
+  react(out);
+  for (std::size_t rod = 0; rod < rods; ++rod) finish(int(rod), out.rods[rod]);
+}
 
 }  // namespace pyrod

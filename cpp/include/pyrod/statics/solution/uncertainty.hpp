@@ -45,7 +45,7 @@ class Uncertainty {
   }
 
   /// Rounding leaves moments in the cells of an eighth of what the rows allow for, at random, which
-  /// push along the mode by what it turns the cells.
+  /// push along the mode by what it turns the cells: theory (26).
   Softness softness(const NetworkState<Space>& x, const Mode& mode) const {
     Softness out{mode.eigenvalue};
     Vector rounding;

@@ -78,7 +78,8 @@ class Vertices {
     return nullptr;
   }
 
-  /// The moments beside an applied one are those of the cell, less what of it the edge there feels.
+  /// Beside an applied moment, theory (22): those of the cell, less what of it the edge there
+  /// feels.
   void see_sides(RodSolution<Space>& s, std::span<const Point<Space>> force, int j) const {
     const std::size_t J = std::size_t(j / stride_);
     const HeldVertex<Space>* held = holding(j);

@@ -20,6 +20,7 @@
 #include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/solving/posed.hpp>
 #include <pyrod/statics/start/false_shapes.hpp>
+#include <pyrod/statics/start/moving_supports.hpp>
 #include <pyrod/statics/start/start.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
@@ -161,7 +162,7 @@ class GridSolve {
       const State straight = taut->state();
       const auto lead_in = [&](double part, State& x) {
         problem.load(part);
-        shapes.move_points(part, straight, x);
+        move_points(layout_, part, straight, x);
       };
       if (steps(lead_in, straight)) return;
     }
@@ -169,7 +170,7 @@ class GridSolve {
     steps(
         [&](double part, State& x) {
           problem.load(part);
-          shapes.move_supports(part, rest, x);
+          move_supports(layout_, part, rest, x);
         },
         rest);
   }

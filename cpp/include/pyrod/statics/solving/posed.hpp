@@ -18,6 +18,7 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -32,8 +33,9 @@ class Posed {
   using Coarser = std::vector<std::unique_ptr<const Posed>>;
 
   /// Refuses what is no network.
-  explicit Posed(Network<Space> network)
-      : given_(checked(std::move(network))), layout_(given_), problem_(layout_) {}
+  explicit Posed(Network<Space> network) : given_(checked(std::move(network))), layout_(given_) {
+    problem_.emplace(layout_);
+  }
 
   /// In the plane of `at`, or in space.
   Posed(const Network<Spatial>& network, const Placement<Spatial>& at)
@@ -48,10 +50,14 @@ class Posed {
   Posed(const Posed&) = delete;
   Posed& operator=(const Posed&) = delete;
 
+  /// The same network with other numbers: places, lengths, stiffnesses, curvatures, loads. Not
+  /// while anybody uses it.
+  void change(const Network<Spatial>& network, const Placement<Spatial>& at);
+
   /// As it was given: what the layout makes of it has units of its own, and nodes at free ends.
   const Network<Space>& network() const { return given_; }
   const Layout<Space>& layout() const { return layout_; }
-  const NetworkProblem<Space>& problem() const { return problem_; }
+  const NetworkProblem<Space>& problem() const { return *problem_; }
   /// Where the plane of the computation is.
   const Placement<Spatial>& here() const { return here_; }
 
@@ -64,11 +70,11 @@ class Posed {
 
   /// The same with few edges, and more, and more: made when they are first asked for.
   const Coarser& coarser() const {
-    std::call_once(once_, [this] {
+    std::call_once(finest_->once, [this] {
       for (const int edges : coarser_edges())
-        coarser_.push_back(std::make_unique<const Posed>(coarsened(given_, edges)));
+        finest_->coarser.push_back(std::make_unique<const Posed>(coarsened(given_, edges)));
     });
-    return coarser_;
+    return finest_->coarser;
   }
 
  private:
@@ -106,10 +112,32 @@ class Posed {
 
   Network<Space> given_;
   Layout<Space> layout_;
-  NetworkProblem<Space> problem_;
+  std::optional<NetworkProblem<Space>> problem_;
   Placement<Spatial> here_;
-  mutable std::once_flag once_;
-  mutable Coarser coarser_;
+  /// The coarser grids, once they are made.
+  struct Finest {
+    std::once_flag once;
+    Coarser coarser;
+  };
+  std::unique_ptr<Finest> finest_ = std::make_unique<Finest>();
 };
+
+template <class Space>
+void Posed<Space>::change(const Network<Spatial>& network, const Placement<Spatial>& at) {
+  Network<Space> given = [&] {
+    if constexpr (std::is_same_v<Space, Spatial>)
+      return network;
+    else
+      return in_plane(network, at);
+  }();
+  given.check();
+  Layout<Space> layout(given, std::move(layout_));  // whatever is refused, is so before it takes
+  problem_.reset();
+  given_ = std::move(given);
+  layout_ = std::move(layout);
+  problem_.emplace(layout_);
+  if constexpr (!std::is_same_v<Space, Spatial>) here_ = at;
+  finest_ = std::make_unique<Finest>();
+}
 
 }  // namespace pyrod

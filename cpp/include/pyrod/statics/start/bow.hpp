@@ -2,8 +2,8 @@
 /// \file Shapes between two held points of a rod.
 ///
 /// The frames turn evenly from the one to the other, twist spread along the way, and a bow as high
-/// as the shortening asks is laid over that: θ = A sin(2πs) and its likes have the chord J0(A) ≈ 1
-/// − A²/4.
+/// as the shortening asks is laid over that: θ = A sin(2πs) and its likes have the chord of
+/// theory (20).
 #pragma once
 
 #include <pyrod/curve/cosserat.hpp>

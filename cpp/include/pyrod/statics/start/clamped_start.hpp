@@ -29,21 +29,13 @@ class ClampedStart {
   /// `layout`: determinate.
   explicit ClampedStart(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {}
 
-  NetworkState<Space> state() const {
-    return with_frames([this](int rod) { return moments_lead(rod) ? bent(rod) : rest(rod); });
-  }
+  NetworkState<Space> state() const;
 
   /// Without any force.
-  NetworkState<Space> under_moments() const {
-    return with_frames([this](int rod) { return bent(rod); });
-  }
+  NetworkState<Space> under_moments() const;
 
   /// The Hessian of the first step from `state`: exact, if that is near.
-  Hessian first() const {
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
-      if (!moments_lead(rod)) return Hessian::convex;
-    return Hessian::exact;
-  }
+  Hessian first() const;
 
  private:
   template <class FramesOf>
@@ -109,5 +101,22 @@ class ClampedStart {
   const Layout<Space>& layout_;
   const Network<Space>& net_;
 };
+
+template <class Space>
+auto ClampedStart<Space>::state() const -> NetworkState<Space> {
+  return with_frames([this](int rod) { return moments_lead(rod) ? bent(rod) : rest(rod); });
+}
+
+template <class Space>
+auto ClampedStart<Space>::under_moments() const -> NetworkState<Space> {
+  return with_frames([this](int rod) { return bent(rod); });
+}
+
+template <class Space>
+auto ClampedStart<Space>::first() const -> Hessian {
+  for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+    if (!moments_lead(rod)) return Hessian::convex;
+  return Hessian::exact;
+}
 
 }  // namespace pyrod

@@ -80,7 +80,7 @@ class StateNear {
   /// The same of frames, and positions and frames of nodes if there are any, in the space of the
   /// computation.
   NetworkState<Space> state(NetworkState<Space> near) const {
-    NetworkState<Space> x = Start<Space>(layout_).state();
+    NetworkState<Space> x = near.positions.empty() ? Start<Space>(layout_).state() : held();
     x.frames = std::move(near.frames);
     std::vector<char> known(x.positions.size(), false);
     const auto by_rods = turned_by_rods(x);
@@ -113,6 +113,18 @@ class StateNear {
               "]: expected finite numbers, got ", start.positions[v].transpose());
       require_rotation(start.node_frames[v], "start.node_frames[", v, "]");
     }
+  }
+
+  /// Nodes where they are held, or would be; without frames of edges.
+  NetworkState<Space> held() const {
+    NetworkState<Space> x;
+    for (const auto& one : layout_.network().nodes) {
+      x.positions.push_back(one.position);
+      x.node_frames.push_back(one.frame);
+    }
+    x.forces.assign(layout_.spans().size(), Point<Space>::Zero());
+    x.hinge_angles.assign(std::size_t(layout_.hinges()), 0.);
+    return x;
   }
 
   /// Moves a node to r as far as it is free to go.

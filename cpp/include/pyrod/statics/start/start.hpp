@@ -28,99 +28,19 @@ class Start {
 
   /// `level`: whether rods pass their inner supports on the level, rather than as bows beside
   /// would have it.
-  explicit Start(const Layout<Space>& layout, bool level = false)
-      : layout_(layout), net_(layout.network()), level_(level) {
-    for (const auto& node : net_.nodes) places_.push_back(node.position);
-  }
+  explicit Start(const Layout<Space>& layout, bool level = false);
 
   /// Whether a rod goes on over supports, so that starts differ by how it passes them.
-  bool has_choice() const {
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
-      if (Over::goes_on(net_.rods[rod], anchors(rod))) return true;
-    return false;
-  }
+  bool has_choice() const;
 
-  NetworkState<Space> state() const {
-    NetworkState<Space> x;
-    x.positions = places_;
-    for (const auto& node : net_.nodes) x.node_frames.push_back(node.frame);
-    x.forces.assign(layout_.spans().size(), Point<Space>::Zero());
-    x.hinge_angles.assign(layout_.hinges(), 0.);
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod) add_rod(rod, x);
-    return x;
-  }
+  NetworkState<Space> state() const;
 
   /// The shapes at rest where they are at rest, whatever the supports say.
-  NetworkState<Space> at_rest() const {
-    NetworkState<Space> x = state();
-    x.frames.clear();
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
-      const auto& place = net_.placements[rod];
-      const auto rest = net_.rods[rod].at_rest(place.position, place.frame);
-      x.frames.insert(x.frames.end(), rest.frames.begin(), rest.frames.end());
-      for (const auto& a : layout_.attached(rod)) {
-        x.positions[a.node] = rest.positions[a.vertex];
-        if (a.rigid)
-          x.node_frames[a.node] =
-              vertex_frame(net_.rods[rod].grid, rest, a.vertex) * a.relative.conjugate();
-      }
-    }
-    return x;
-  }
+  NetworkState<Space> at_rest() const;
 
   /// The same with the supports of each rod drawn apart until it is nearly straight between them;
   /// nothing where rods share them.
-  std::optional<Start> drawn_taut() const {
-    Start out = *this;
-    std::vector<char> moved(places_.size(), false);
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
-      int before = -1, from = 0;
-      for (const auto& a : layout_.attached(rod)) {
-        if (net_.nodes[a.node].free.cols() == dim) continue;
-        if (moved[a.node]) return std::nullopt;
-        moved[a.node] = true;
-        if (before >= 0) {
-          const auto& grid = net_.rods[rod].grid;
-          const Point<Space> chord = places_[a.node] - places_[before];
-          const double taut = 0.97 * (grid.s(a.vertex) - grid.s(from)), apart = chord.norm();
-          out.places_[a.node] =
-              out.places_[before] + (apart > 0 ? std::max(1., taut / apart) : 1.) * chord;
-        }
-        before = a.node, from = a.vertex;
-      }
-    }
-    return out;
-  }
-
-  /// Moves the points that supports prescribe, and no frames, as below.
-  void move_points(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
-    for (int v = 0; v < int(net_.nodes.size()); ++v) {
-      const auto& node = net_.nodes[v];
-      const double unit = layout_.unit_length(v);  // the length of the free directions
-      const Point<Space> place = (1 - λ) * from.positions[v] + λ * node.position;
-      const Point<Space> missing = place - x.positions[v];
-      x.positions[v] += missing - node.free * (node.free.transpose() * missing) / (unit * unit);
-    }
-  }
-
-  /// Moves what the supports prescribe in `x` to the fraction λ of the way from `from`, where they
-  /// are at rest, to where they are.
-  void move_supports(double λ, const NetworkState<Space>& from, NetworkState<Space>& x) const {
-    move_points(λ, from, x);
-    for (int v = 0; v < int(net_.nodes.size()); ++v) {
-      const auto& node = net_.nodes[v];
-      if (node.turns.cols() == 0)
-        x.node_frames[v] = between(
-            from.node_frames[v],
-            from.node_frames[v] * principal(from.node_frames[v].conjugate() * node.frame), λ);
-    }
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
-      for (const auto& a : layout_.attached(rod))
-        if (a.turns != 0 && net_.nodes[a.node].turns.cols() == 0)
-          x.node_frames[a.node] = Shape::twisted(x.node_frames[a.node] * a.relative,
-                                                 2 * std::numbers::pi * λ * a.turns) *
-                                  a.relative.conjugate();
-  }
+  std::optional<Start> drawn_taut() const;
 
  private:
   using Shape = Bow<Space>;
@@ -299,5 +219,70 @@ class Start {
   bool level_;
   std::vector<Point<Space>> places_;  ///< of the nodes, where they are held
 };
+
+template <class Space>
+Start<Space>::Start(const Layout<Space>& layout, bool level)
+    : layout_(layout), net_(layout.network()), level_(level) {
+  for (const auto& node : net_.nodes) places_.push_back(node.position);
+}
+
+template <class Space>
+bool Start<Space>::has_choice() const {
+  for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+    if (Over::goes_on(net_.rods[rod], anchors(rod))) return true;
+  return false;
+}
+
+template <class Space>
+auto Start<Space>::state() const -> NetworkState<Space> {
+  NetworkState<Space> x;
+  x.positions = places_;
+  for (const auto& node : net_.nodes) x.node_frames.push_back(node.frame);
+  x.forces.assign(layout_.spans().size(), Point<Space>::Zero());
+  x.hinge_angles.assign(layout_.hinges(), 0.);
+  for (int rod = 0; rod < int(net_.rods.size()); ++rod) add_rod(rod, x);
+  return x;
+}
+
+template <class Space>
+auto Start<Space>::at_rest() const -> NetworkState<Space> {
+  NetworkState<Space> x = state();
+  x.frames.clear();
+  for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+    const auto& place = net_.placements[rod];
+    const auto rest = net_.rods[rod].at_rest(place.position, place.frame);
+    x.frames.insert(x.frames.end(), rest.frames.begin(), rest.frames.end());
+    for (const auto& a : layout_.attached(rod)) {
+      x.positions[a.node] = rest.positions[a.vertex];
+      if (a.rigid)
+        x.node_frames[a.node] =
+            vertex_frame(net_.rods[rod].grid, rest, a.vertex) * a.relative.conjugate();
+    }
+  }
+  return x;
+}
+
+template <class Space>
+auto Start<Space>::drawn_taut() const -> std::optional<Start> {
+  Start out = *this;
+  std::vector<char> moved(places_.size(), false);
+  for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+    int before = -1, from = 0;
+    for (const auto& a : layout_.attached(rod)) {
+      if (net_.nodes[a.node].free.cols() == dim) continue;
+      if (moved[a.node]) return std::nullopt;
+      moved[a.node] = true;
+      if (before >= 0) {
+        const auto& grid = net_.rods[rod].grid;
+        const Point<Space> chord = places_[a.node] - places_[before];
+        const double taut = 0.97 * (grid.s(a.vertex) - grid.s(from)), apart = chord.norm();
+        out.places_[a.node] =
+            out.places_[before] + (apart > 0 ? std::max(1., taut / apart) : 1.) * chord;
+      }
+      before = a.node, from = a.vertex;
+    }
+  }
+  return out;
+}
 
 }  // namespace pyrod

@@ -63,8 +63,8 @@ class KnownForces {
     return sum;
   }
 
-  /// What these forces tell of the section force in the first edge of every span: zero where
-  /// nothing is told. Linear in the forces.
+  /// What these forces tell of f of theory (13), the force in the first edge of every span: zero
+  /// where nothing is told. Linear in the forces.
   std::vector<Point<Space>> known_forces(const VertexForces<Space>& force, double own = 1) const {
     std::vector<Point<Space>> known(cut_.spans.size(), Point<Space>::Zero()), loads;
     const auto node_force = on_nodes(force, own);
@@ -165,7 +165,7 @@ class KnownForces {
     return found;
   }
 
-  /// Tells the force of span p along the free directions F of node v: Fᵀ(Σ n − P) = 0.
+  /// Tells the force of span p along the free directions F of node v: Fᵀ(Σ n − P) = 0, theory (16).
   bool solve_at(int v, int p) {
     Span<Space>& span = cut_.spans[p];
     const D& F = cut_.network.nodes[v].free;

@@ -24,14 +24,11 @@ class Layout {
  public:
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  explicit Layout(Network<Space> network) : known_(std::move(network)) {
-    set_units(known_.cut());
-    number(known_.cut());
-    determinate_ = unknowns() == spin * edges();
-    for (const auto& on : known_.cut().attached)
-      determinate_ =
-          determinate_ && std::ranges::any_of(on, [&](const auto& a) { return clamps(a); });
-  }
+  explicit Layout(Network<Space> network);
+
+  /// Of a network that may differ from that of `like` in its numbers only: then it takes over how
+  /// the unknowns are numbered.
+  Layout(Network<Space> network, Layout&& like);
 
   const KnownForces<Space>& known() const { return known_; }
   const Network<Space>& network() const { return known_.cut().network; }
@@ -98,6 +95,11 @@ class Layout {
 
  private:
   using Couplings = std::vector<std::pair<int, int>>;
+
+  /// Whether the unknowns are the same, whatever the numbers are.
+  bool has_unknowns_of(const Layout& other) const;
+  void take_numbers(Layout&& from);
+  void see_whether_determinate();
 
   /// Each part is measured by itself: what is stiff or long elsewhere does not count.
   void set_units(Spans<Space>& cut) {
@@ -228,5 +230,71 @@ class Layout {
   double moment_ = 1;
   bool determinate_ = false;
 };
+
+template <class Space>
+Layout<Space>::Layout(Network<Space> network) : known_(std::move(network)) {
+  set_units(known_.cut());
+  number(known_.cut());
+  see_whether_determinate();
+}
+
+template <class Space>
+Layout<Space>::Layout(Network<Space> network, Layout&& like) : known_(std::move(network)) {
+  set_units(known_.cut());
+  if (has_unknowns_of(like))
+    take_numbers(std::move(like));
+  else
+    number(known_.cut());
+  see_whether_determinate();
+}
+
+template <class Space>
+void Layout<Space>::see_whether_determinate() {
+  determinate_ = unknowns() == spin * edges();
+  for (const auto& on : known_.cut().attached)
+    determinate_ =
+        determinate_ && std::ranges::any_of(on, [&](const auto& a) { return clamps(a); });
+}
+
+template <class Space>
+bool Layout<Space>::has_unknowns_of(const Layout& other) const {
+  const auto same = [](const auto& a, const auto& b, const auto& equal) {
+    return std::ranges::equal(a, b, equal);
+  };
+  const auto& nodes = network().nodes;
+  for (int v = 0; v < int(nodes.size()); ++v)
+    if (v >= int(other.network().nodes.size()) || derived(v) != other.derived(v)) return false;
+  return known_.cut().has_frame == other.known_.cut().has_frame &&
+         same(spans(), other.spans(),
+              [](const auto& a, const auto& b) {
+                return a.rod == b.rod && a.first == b.first && a.last == b.last &&
+                       a.start == b.start && a.end == b.end && a.open.cols() == b.open.cols();
+              }) &&
+         same(nodes, other.network().nodes,
+              [](const auto& a, const auto& b) {
+                return a.free.cols() == b.free.cols() && a.turns.cols() == b.turns.cols();
+              }) &&
+         same(known_.cut().attached, other.known_.cut().attached,
+              [&](const auto& on, const auto& like) {
+                return same(on, like, [](const auto& a, const auto& b) {
+                  return a.vertex == b.vertex && a.node == b.node && a.rigid == b.rigid &&
+                         a.hinge.has_value() == b.hinge.has_value() &&
+                         a.hinge_number == b.hinge_number;
+                });
+              });
+}
+
+template <class Space>
+void Layout<Space>::take_numbers(Layout&& from) {
+  auto& spans = known_.cut().spans;
+  for (std::size_t p = 0; p < spans.size(); ++p) spans[p].block = from.spans()[p].block;
+  hinge_block_ = std::move(from.hinge_block_);
+  frame_block_ = std::move(from.frame_block_);
+  turn_block_ = std::move(from.turn_block_);
+  place_block_ = std::move(from.place_block_);
+  rows_ = std::move(from.rows_);
+  pattern_ = std::move(from.pattern_);
+  first_node_block_ = from.first_node_block_;
+}
 
 }  // namespace pyrod
