@@ -3,7 +3,10 @@
 #include <pyrod/core/parallel.hpp>
 #include <pyrod/scene.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <vector>
 
 int main() {
   using namespace pyrod;

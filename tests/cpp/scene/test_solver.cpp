@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pyrod/scene.hpp>
+#include <pyrod/scene/rod_on_grid.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <thread>
+#include <vector>
 
 using namespace pyrod;
 
@@ -97,4 +102,86 @@ TEST_CASE("lists of loads belong to the rod as it was given, or to that with its
   };
   CHECK((tip(given) - tip(cut)).norm() < 1e-14);
   CHECK_THROWS_AS(tip(std::vector<Vec3>(9, Vec3::Zero())), InvalidArgument);
+}
+
+namespace {
+
+/// A clamped, precurved rod under its weight and a force at its end.
+Scene catheter(const Vec3& force, const Vec3& base = Vec3::Zero(), bool follower = false) {
+  const Section heavy(1, 1.5, 0.7, Section::rigid, Section::rigid, Section::rigid, 0.1);
+  return Scene(precurved(1.0, 24, heavy, Vec3(0.5, 1, 0)), {Clamp{.position = base}},
+               {Gravity{}, Force{.force = force, .follower = follower}});
+}
+
+/// The same, and held at its end.
+Scene held_at_both_ends(double height, const Vec3& K0 = Vec3(0, 1, 0)) {
+  return Scene(precurved(1.0, 24, soft, K0),
+               {Clamp{.position = Vec3(0, 0, 0)},
+                Hinge{.position = Vec3(0.1, 0.05, height), .at = End::end}},
+               {Force{.force = {0, 1, 0}, .at = 0.5}});
+}
+
+double apart(const Equilibrium& a, const Equilibrium& b) {
+  double most = 0;
+  for (std::size_t j = 0; j < a.rod().curve.positions.size(); ++j)
+    most = std::max(most, (a.rod().curve.positions[j] - b.rod().curve.positions[j]).norm());
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("a solver goes on with other numbers, in fewer iterations, to the same shape") {
+  Solver solver(catheter({0, 0, 0}));
+  for (const bool follower : {false, true})
+    for (int k = 1; k <= 4; ++k) {
+      const double F = 3 + 0.01 * k;
+      const auto scene = catheter({F, -F, 0.5 * F}, {0, 0, 0.1 * k}, follower);
+      const auto afresh = solve(scene), again = solver.solve(scene);
+      REQUIRE(again.converged());
+      CHECK(apart(afresh, again) < 1e-11);
+      CHECK((afresh.reactions[0].moment - again.reactions[0].moment).norm() < 1e-9);
+      if (k > 1) CHECK(again.found.record.size() < afresh.found.record.size());
+    }
+}
+
+TEST_CASE("supports, curvature at rest and stiffness may change between solves") {
+  Solver solver(held_at_both_ends(0.9));
+  for (const double height : {0.9, 0.88, 0.86})
+    for (const double K : {1., 1.1}) {
+      const auto scene = held_at_both_ends(height, Vec3(0, K, 0));
+      const auto again = solver.solve(scene);
+      REQUIRE(again.converged());
+      CHECK((again.tip() - Vec3(0.1, 0.05, height)).norm() < 1e-12);
+      CHECK(apart(solve(scene), again) < 1e-9);
+    }
+  auto stiffer = held_at_both_ends(0.86);
+  stiffer.rods[0].section = Section(2, 3, 1.4);
+  CHECK(apart(solve(stiffer), solver.solve(stiffer)) < 1e-9);
+}
+
+TEST_CASE("a solver takes scenes of another shape, too, and starts those afresh") {
+  Solver solver(catheter({0, 0, 0}));
+  CHECK(solver.solve(catheter({1, 0, 0})).converged());
+  CHECK(apart(solver.solve(held_at_both_ends(0.9)), solve(held_at_both_ends(0.9))) < 1e-9);
+  const Scene finer(straight(1.0, 40, soft), {Clamp{}}, {Force{.force = {1, 0, 0}}});
+  CHECK(apart(solver.solve(finer), solve(finer)) < 1e-12);
+  const Scene flat(straight(1.0, 40, soft), {Clamp{}}, {Force{.force = {1.1, 0, 0}}},
+                   Dimension::planar);
+  CHECK(apart(solver.solve(flat), solve(flat)) < 1e-11);
+  const auto climbed = solver.solve(flat, {.tol = 1e-6});
+  CHECK(climbed.accuracy.has_value());
+  CHECK(apart(climbed, solve(flat, {.tol = 1e-6})) < 1e-9);
+}
+
+TEST_CASE("a scene that is refused changes nothing, and copies of a solver keep what they have") {
+  Solver solver(catheter({1, 0, 0}));
+  const auto before = solver.solve(catheter({1, 0, 0}));
+  const Solver copy = solver;
+  auto bad = catheter({2, 0, 0});
+  bad.loads.push_back(Force{.force = {1, 0, 0}, .at = 1.5});
+  CHECK_THROWS_AS(solver.solve(bad), InvalidArgument);
+  CHECK(apart(before, solver.solve()) < 1e-12);
+  CHECK(solver.solve(catheter({2, 0, 0})).converged());
+  CHECK(apart(before, copy.solve()) < 1e-12);
+  CHECK(apart(before, solver.solve()) > 1e-2);
 }
