@@ -43,7 +43,8 @@ RodSpec seen(RodSpec rod, const std::vector<Load>& loads = {}) {
 
 }  // namespace
 
-// The numbers are those of tests/python/shared/independent.py: the elastica by DOP853, piece by piece.
+// The numbers are those of tests/python/shared/independent.py: the elastica by DOP853, piece by
+// piece.
 TEST_CASE("a stiffness from a table, whose kink used to spoil errors of 6e-7 told as 5e-9") {
   const auto section = [](double s) {
     const double EI = s < 0.179 ? 1 + 3 * s / 0.179 : 4 - 3 * (s - 0.179) / (1 - 0.179);

@@ -101,8 +101,10 @@ class KnownForces {
         if (first < 0) first = int(v);
         act(node_force[v]);
         if (cut_.network.nodes[v].spring > 0) drift.resize(dim, 0);
-        const D held = detail::without<dim>(Mat<dim>::Identity(), cut_.network.nodes[v].free);
-        drift = detail::without<dim>(drift, held);
+        if (const D& free = cut_.network.nodes[v].free; free.cols() == 0)
+          drift.resize(dim, 0);
+        else if (drift.cols() > 0 && free.cols() < dim)
+          drift = detail::without<dim>(drift, detail::without<dim>(Mat<dim>::Identity(), free));
       }
       if (drift.cols() == 0) continue;
       for (const auto& span : cut_.spans)
@@ -169,11 +171,16 @@ class KnownForces {
   bool solve_at(int v, int p) {
     Span<Space>& span = cut_.spans[p];
     const D& F = cut_.network.nodes[v].free;
+    const double sign = span.end == v ? -1 : 1;
+    if (F.cols() == dim && span.open.cols() == dim) {  // all directions, whatever their axes
+      steps_.push_back({v, p, sign * Mat<dim>::Identity()});
+      span.open.resize(dim, 0);
+      return true;
+    }
     const Eigen::MatrixXd M = F.transpose() * span.open;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr(M);
     qr.setThreshold(1e-9);
     if (qr.rank() < F.cols()) return false;
-    const double sign = span.end == v ? -1 : 1;
     steps_.push_back({v, p, sign * span.open * qr.solve(Eigen::MatrixXd(F.transpose()))});
     span.open = detail::kernel_within<dim>(span.open, F.transpose());
     return true;
