@@ -163,6 +163,33 @@ std::shared_ptr<Equilibrium> solve_one(const Solver& scene, const py::object& st
   return std::make_shared<Equilibrium>(scene.solve(settings));
 }
 
+/// A solver whose scene changes; that of a scene does not.
+struct Going {
+  Solver solver;
+};
+
+/// Parts that take the place of others, with their numbers.
+template <class T>
+using Changes = std::vector<std::pair<std::size_t, T>>;
+
+/// The scene, or that of before, with these parts; from what was found last.
+std::shared_ptr<Equilibrium> solve_changed(Solver& solver, const Solver* given,
+                                           const Changes<const GivenRod*>& rods,
+                                           const Changes<Support>& supports,
+                                           const Changes<Joint>& joints, const Changes<Load>& loads,
+                                           const Options& options, std::optional<double> tol,
+                                           bool stable, bool eigenvalue) {
+  Scene scene = given ? given->scene() : solver.scene();
+  for (const auto& [i, rod] : rods) scene.rods.at(i) = rod->spec;
+  for (const auto& [i, support] : supports) scene.supports.at(i) = support;
+  for (const auto& [i, joint] : joints) scene.joints.at(i) = joint;
+  for (const auto& [i, load] : loads) scene.loads.at(i) = load;
+  Settings settings = settings_of(options, tol, stable, eigenvalue);
+  settings.trace = python_trace(std::nullopt);
+  const py::gil_scoped_release release;
+  return std::make_shared<Equilibrium>(solver.solve(std::move(scene), settings));
+}
+
 /// The scenes on several threads; `progress` sees how many are done. What a solve throws is thrown
 /// here, with the number of its scene, when all threads have ended.
 std::vector<std::shared_ptr<Equilibrium>> solve_all(const std::vector<const Solver*>& scenes,
@@ -248,6 +275,20 @@ void scene(py::module_& module) {
       .def("level", &level, py::arg("number"))
       .def("solve", &solve_one, py::arg("start"), py::arg("options"), py::arg("tol"),
            py::arg("stable"), py::arg("eigenvalue"), py::arg("trace"), py::arg("progress"));
+  py::class_<Going>(module, "Solver", "A scene that is solved again and again.")
+      .def(py::init([](const Solver& scene) { return Going{scene}; }), py::arg("scene"))
+      .def(
+          "solve",
+          [](Going& going, const Solver* scene, const Changes<const GivenRod*>& rods,
+             const Changes<Support>& supports, const Changes<Joint>& joints,
+             const Changes<Load>& loads, const Options& options, std::optional<double> tol,
+             bool stable, bool eigenvalue) {
+            return solve_changed(going.solver, scene, rods, supports, joints, loads, options, tol,
+                                 stable, eigenvalue);
+          },
+          py::arg("scene").none(true), py::arg("rods"), py::arg("supports"), py::arg("joints"),
+          py::arg("loads"), py::arg("options"), py::arg("tol"), py::arg("stable"),
+          py::arg("eigenvalue"));
   module.def("solve_all", &solve_all, py::arg("scenes"), py::arg("starts"), py::arg("options"),
              py::arg("tol"), py::arg("stable"), py::arg("eigenvalue"), py::arg("threads"),
              py::arg("progress"));

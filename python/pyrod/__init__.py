@@ -35,6 +35,7 @@ from pyrod.scene.planarity import Planarity, is_planar
 from pyrod.scene.scene import Scene
 from pyrod.scene.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring
 from pyrod.solving.many import solve_many
+from pyrod.solving.solver import Solver
 from pyrod.stability.critical import Critical, critical_load
 from pyrod.sweeps import Sweep, sweep
 
@@ -71,6 +72,7 @@ __all__ = [
     "Section",
     "Sleeve",
     "Slider",
+    "Solver",
     "Spring",
     "StrainWarning",
     "Sweep",

@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'Sleeve', 'Slider', 'Spring', 'breaks', 'build', 'curve', 'natural_edges', 'rotation', 'section', 'solve_all']
+__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
@@ -318,6 +318,14 @@ class Scene:
         ...
     @property
     def rods_are_asked(self) -> bool:
+        ...
+class Solver:
+    """
+    A scene that is solved again and again.
+    """
+    def __init__(self, scene: Scene) -> None:
+        ...
+    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity]], options: Options, tol: typing.SupportsFloat | typing.SupportsIndex | None, stable: bool, eigenvalue: bool) -> Equilibrium:
         ...
 def breaks(function: collections.abc.Callable, length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[tuple, bool]:
     """

@@ -12,6 +12,7 @@ from typing import Any, Union
 
 from pyrod.base.words import listed, shortly
 from pyrod.scene.scene import Scene
+from pyrod.solving.solver import changed
 
 Source = Union[Callable[..., Scene], Scene, str, "PathLike[str]", Mapping[str, Any]]
 
@@ -36,6 +37,22 @@ class Edited:
         return read(document)
 
 
+@dataclass(frozen=True)
+class Changed:
+    """Scenes that differ in some entries of one, as `pyrod.Solver` changes them."""
+
+    scene: Scene
+
+    @property
+    def document(self) -> Mapping[str, Any]:
+        """What tells it from other scenes."""
+        return _document(self.scene)
+
+    def __call__(self, **entries: Any) -> Scene:
+        """The scene with other values of these entries."""
+        return changed(self.scene, entries)[0]
+
+
 def builder_of(source: Source, example: Mapping[str, Any]) -> Callable[..., Scene]:
     """A function that makes the scenes; ``example`` are parameters that it must take.
 
@@ -47,10 +64,23 @@ def builder_of(source: Source, example: Mapping[str, Any]) -> Callable[..., Scen
     if callable(source):
         _refuse_arguments(source, example)
         return source
+    if isinstance(source, Scene) and _are_entries(source, example):
+        return Changed(source)
     edited = Edited(_document(source))
     for path in example:
         _keys(edited.document, path)
     return edited
+
+
+def _are_entries(scene: Scene, example: Mapping[str, Any]) -> bool:
+    """Whether the parameters are entries of the scene's own parts, without units."""
+    if any(isinstance(value, (str, Mapping)) for value in example.values()):
+        return False
+    try:
+        changed(scene, example)
+    except (ValueError, TypeError):
+        return False  # a document may have more; else it tells what is wrong
+    return True
 
 
 def _document(source: Any) -> Mapping[str, Any]:

@@ -173,6 +173,19 @@ TEST_CASE("a solver takes scenes of another shape, too, and starts those afresh"
   CHECK(apart(climbed, solve(flat, {.tol = 1e-6})) < 1e-9);
 }
 
+TEST_CASE("also one that is refused only when it is solved") {
+  const Scene flat(straight(1.0, 12, soft), {Clamp{}}, {Force{.force = {1, 0, 0}}},
+                   Dimension::planar);
+  auto leaving = flat;
+  std::get<Force>(leaving.loads[0]).force.y() = 1;
+  Solver solver(flat);
+  const Solver copy = solver;
+  for (int time = 0; time < 2; ++time) {
+    CHECK_THROWS_AS(solver.solve(leaving), InvalidArgument);
+    CHECK(apart(solver.solve(solver.scene()), copy.solve()) < 1e-13);
+  }
+}
+
 TEST_CASE("a scene that is refused changes nothing, and copies of a solver keep what they have") {
   Solver solver(catheter({1, 0, 0}));
   const auto before = solver.solve(catheter({1, 0, 0}));

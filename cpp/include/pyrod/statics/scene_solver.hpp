@@ -2,6 +2,7 @@
 /// \file How a scene is solved: on its edges or to a tolerance.
 #pragma once
 
+#include <pyrod/core/require.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/support_parts.hpp>
 #include <pyrod/statics/doubts.hpp>
@@ -116,6 +117,11 @@ template <std::same_as<Settings> S>
 SceneSolver<S>::SceneSolver(Scene scene) : parts_(std::make_shared<Parts>(std::move(scene))) {}
 
 template <std::same_as<Settings> S>
+const Scene& SceneSolver<S>::scene() const {
+  return parts_->given;
+}
+
+template <std::same_as<Settings> S>
 const ReadyScene& SceneSolver<S>::plain() const {
   return parts_->plain;
 }
@@ -156,7 +162,19 @@ void SceneSolver<S>::change(Scene scene) {
 
 template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
+  const auto shared = parts_.use_count() > 1 ? parts_ : nullptr;
+  const Scene before = scene();
   change(std::move(changed));
+  try {
+    return solve_from_last(settings);
+  } catch (const InvalidArgument&) {
+    shared ? void(parts_ = shared) : change(before);
+    throw;
+  }
+}
+
+template <std::same_as<Settings> S>
+Equilibrium SceneSolver<S>::solve_from_last(const S& settings) {
   S from = settings;
   if (!settings.start && settings.frames.empty() && last_ && fits(*last_)) from.start = &*last_;
   Equilibrium found = std::as_const(*this).solve(from);

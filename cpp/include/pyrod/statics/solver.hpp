@@ -31,6 +31,8 @@ class SceneSolver {
   /// several threads at once: each takes a copy.
   Equilibrium solve(Scene changed, const S& settings = {});
 
+  /// The scene as it was given last.
+  const Scene& scene() const;
   /// The scene as it is solved without a tolerance: with vertices where rods are held and joined.
   const ReadyScene& plain() const;
   /// As it is solved with one: also where loads act, and where functions jump or have kinks.
@@ -40,6 +42,7 @@ class SceneSolver {
   struct Parts;
   void change(Scene scene);
   bool fits(const Equilibrium& start) const;
+  Equilibrium solve_from_last(const S& settings);
 
   std::shared_ptr<Parts> parts_;
   std::optional<Equilibrium> last_;  ///< that was found after a change

@@ -1,0 +1,165 @@
+"""A scene that is solved again and again with other numbers."""
+
+from __future__ import annotations
+
+import pickle
+import re
+import threading
+from typing import Any
+
+import numpy as np
+import pytest
+from support import ROUND, SOFT
+
+import pyrod
+from pyrod import Clamp, Force, Hinge, Moment, NotConverged, Options, Rod, Scene, Solver
+from pyrod.rotation import exp
+
+
+def catheter() -> Scene:
+    return Scene(
+        Rod.precurved(1.0, 24, SOFT, (0.5, 1, 0)),
+        Clamp((0, 0, 0), (1, 0, 0, 0)),
+        [Force((1, -2, 1)), Moment((0, 0.2, 0), at="end", follower=True)],
+    )
+
+
+def strut() -> Scene:
+    ends = [Clamp((0, 0, 0), (1, 0, 0, 0)), Hinge((0.1, 0, 0.9), at="end")]
+    return Scene(Rod.precurved(1.0, 24, SOFT, (0.2, 1, 0)), ends, Force((0, 1, 0), at=0.5))
+
+
+CHANGES = [
+    {"loads.0.force": (1.1, -2, 1.2)},
+    {"loads.0.force.1": -2.1, "loads.1.moment.1": 0.21},
+    {"supports.0.position.2": 0.1, "supports.0.frame": exp([0.02, 0.01, 0.05])},
+    {"rods.0.K0": np.tile((0.5, 1.01, 0.01), (25, 1))},
+    {"rods.0.bending": np.tile((1.01, 1.51, 0.71), (25, 1))},
+]
+
+
+@pytest.mark.parametrize("changes", CHANGES, ids=lambda c: ", ".join(c))
+def test_the_shape_is_that_of_the_changed_scene(changes: dict[str, Any]) -> None:
+    solver = Solver(catheter())
+    solver.solve()
+    again = solver.solve(changes)
+    afresh = pyrod.solve(again.scene)
+    assert again.scene == solver.scene != catheter()
+    assert again.positions == pytest.approx(afresh.positions, abs=1e-11)
+    assert again.moment == pytest.approx(afresh.moment, abs=1e-9)
+    assert again.iterations < afresh.iterations
+
+
+def test_changes_stay_and_add_up() -> None:
+    solver = Solver(strut())
+    for height in (0.9, 0.89, 0.88):
+        result = solver.solve({"supports.1.position.2": height})
+        assert result.tip == pytest.approx((0.1, 0, height), abs=1e-12)
+    result = solver.solve({"loads.0.force": (0, 1.2, 0)})
+    assert result.tip == pytest.approx((0.1, 0, 0.88), abs=1e-12)
+    assert result.positions == pytest.approx(pyrod.solve(result.scene).positions, abs=1e-9)
+
+
+def test_without_changes_a_step_confirms_what_was_found() -> None:
+    solver = Solver(catheter())
+    first = solver.solve()
+    assert solver.solve().iterations <= 2
+    assert np.array_equal(first.positions, pyrod.solve(catheter()).positions)
+
+
+@pytest.mark.parametrize("tol", [None, 1e-7])
+def test_places_may_move(tol: float | None) -> None:
+    """Then the rod gets its vertices elsewhere, as in a scene that is made so."""
+    solver = Solver(strut(), tol=tol)
+    solver.solve()
+    moved = solver.solve({"loads.0.at": 0.37, "supports.1.at": 0.93})
+    ends = [Clamp((0, 0, 0), (1, 0, 0, 0)), Hinge((0.1, 0, 0.9), at=0.93)]
+    other = Scene(moved.scene.rods[0], ends, Force((0, 1, 0), at=0.37))
+    expected = pyrod.solve(other, tol=tol)
+    assert len(moved.positions) == len(expected.positions)
+    assert moved.positions == pytest.approx(expected.positions, abs=1e-8 if tol else 1e-10)
+
+
+def test_another_scene_may_be_given_as_a_whole() -> None:
+    solver = Solver(catheter())
+    solver.solve()
+    assert solver.solve(strut()).positions == pytest.approx(
+        pyrod.solve(strut()).positions, abs=1e-10
+    )
+    assert solver.scene == strut()
+
+
+REFUSED = {
+    "loads.2.force": "'loads.2.force': is no entry; of loads there are 0, 1",
+    "load.0": "'load.0': is no entry; a scene has rods, supports, joints, loads",
+    "loads": "'loads': is no entry; of loads there are 0, 1",
+    "joints.0.turns": "'joints.0.turns': is no entry; of joints there are none",
+    "loads.0.forces": "'loads.0.forces': is no entry; a Force has force, at, follower",
+    "loads.0.force.3": "'loads.0.force.3': is no entry; its components are 0 to 2",
+    "loads.0.force.0.0": "'loads.0.force.0.0': is no entry; a Force has force, at, follower",
+    "loads.0.at.0": "'loads.0.at.0': has no components; give it as a whole",
+    "loads.0.force": "force: expected 3 numbers, got shape (4,)",
+    "loads.0": "loads: ",
+}
+
+
+@pytest.mark.parametrize("path", REFUSED)
+def test_what_is_no_entry_is_refused_and_nothing_has_changed(path: str) -> None:
+    solver = Solver(catheter())
+    before = solver.solve()
+    with pytest.raises((ValueError, TypeError), match=re.escape(REFUSED[path])):
+        solver.solve({"supports.0.position": (0, 0, 1), path: (1, 2, 3, 4)})
+    assert solver.scene == catheter()
+    assert np.abs(solver.solve().positions - before.positions).max() < 1e-12
+
+
+def test_what_the_compiled_solver_refuses_changes_nothing_either() -> None:
+    flat = Scene(Rod.straight(1.0, 8, ROUND), Clamp(), Force((1, 0, 0)), "planar")
+    solver = Solver(flat)
+    with pytest.raises(ValueError, match="plane"):
+        solver.solve({"loads.0.force.1": 1.0})
+    assert solver.solve().tip == pytest.approx(pyrod.solve(flat).tip, abs=1e-13)
+
+
+def test_what_does_not_converge_is_told() -> None:
+    solver = Solver(catheter(), Options(max_iterations=1))
+    with pytest.raises(NotConverged):
+        solver.solve()
+    assert not Solver(catheter(), Options(max_iterations=1), strict=False).solve().converged
+
+
+def test_a_start_that_leads_nowhere_is_forgotten() -> None:
+    """From the last shape few iterations do not do; from the shape at rest they do."""
+    options = Options(max_iterations=12)
+    slender = Scene(Rod.straight(1.0, 24, ROUND), Clamp(), Force((0, 0, 0)))
+    solver = Solver(slender, options)
+    solver.solve({"loads.0.force": (300, 0, 0)})
+    away = solver.solve({"loads.0.force": (-300, 0, -300)})
+    assert away.converged
+
+
+def test_pickles_and_threads() -> None:
+    solver = Solver(catheter(), tol=1e-5)
+    solver.solve({"loads.0.force.0": 2.0})
+    again = pickle.loads(pickle.dumps(solver))
+    assert again.scene == solver.scene
+    assert again.solve().accuracy is not None
+    tips = []
+    work = [
+        threading.Thread(target=lambda x=x: tips.append((x, solver.solve({"loads.0.force.0": x}))))
+        for x in (1.0, 1.5, 2.0, 2.5)
+    ]
+    for one in work:
+        one.start()
+    for one in work:
+        one.join()
+    for x, result in tips:
+        assert result.scene.loads[0].force[0] == x
+        expected = pyrod.solve(result.scene, tol=1e-5)
+        assert result.positions == pytest.approx(expected.positions, abs=1e-6)
+
+
+def test_it_says_what_it_solves() -> None:
+    assert repr(Solver(strut())).startswith("Solver(Scene(Rod(")
+    with pytest.raises(TypeError, match="Scene"):
+        Solver("cable.toml")  # type: ignore[arg-type]
