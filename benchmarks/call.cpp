@@ -1,19 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The solve of call_overhead.py without Python: prints its median time in seconds.
+// The solves of call_overhead.py without Python: prints median times in seconds, of Newton's method
+// alone, of a new scene and its solve, and of the next solve with another force.
 #include "measure.hpp"
 
 #include <pyrod/pyrod.hpp>
 
+#include <cmath>
 #include <cstdio>
 
-int main() {
-  using namespace pyrod;
-  const int n = 64;
+namespace {
+
+using namespace pyrod;
+
+/// F along x [N].
+Scene scene(double F, Dimension dimension) {
   const Section section(1, 1, 0.7, 4e3, 4e3, 1e4);
+  return Scene({straight(1.0, 64, section)}, {Clamp{}}, {Force{{F, 0, 0}}}, dimension);
+}
+
+template <class Space>
+double newton_alone(const Scene& given) {
+  const auto on = network_of(SceneOnGrids(with_vertices_at_places(given, false)));
+  const Posed<Space> posed(on.network, on.plane);
+  const ClampedStart<Space> start(posed.layout());
+  Newton<NetworkProblem<Space>> newton(posed.problem());
+  return benchmark::seconds([&] { newton.solve(start.state(), start.first()); });
+}
+
+}  // namespace
+
+int main() {
   for (const auto dimension : {Dimension::planar, Dimension::spatial}) {
-    const auto time = benchmark::seconds([&] {
-      solve(Scene({straight(1.0, n, section)}, {Clamp{}}, {Force{{10, 0, 0}}}, dimension));
+    const double newton = in_space(
+        dimension, [&]<class Space>(Space) { return newton_alone<Space>(scene(10, dimension)); });
+    const double call = benchmark::seconds([&] { solve(scene(10, dimension)); });
+    Solver solver(scene(10, dimension));
+    auto changing = scene(10, dimension);
+    int k = 0;
+    const double next = benchmark::seconds([&] {
+      std::get<Force>(changing.loads[0]).force.x() = 10 + 0.01 * std::sin(++k);
+      solver.solve(changing);
     });
-    std::printf("%.9f\n", time);
+    std::printf("%.9f %.9f %.9f\n", newton, call, next);
   }
 }

@@ -7,6 +7,7 @@
 #include <pyrod/statics/solver.hpp>
 
 #include <atomic>
+#include <chrono>
 
 namespace pyrod::bind {
 
@@ -120,12 +121,25 @@ struct Known {
   }
 };
 
-/// Looks for Ctrl-C once per iteration and shows the iteration to Python, if that is wanted.
+/// Looks for Ctrl-C every so often: who takes the lock each time waits for all other threads.
+Trace python_interrupt() {
+  using Clock = std::chrono::steady_clock;
+  return [last = Clock::now()](const Iteration&) mutable {
+    constexpr auto often = std::chrono::milliseconds(20);
+    if (const auto now = Clock::now(); now - last < often) return true;
+    const py::gil_scoped_acquire gil;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    last = Clock::now();
+    return true;
+  };
+}
+
+/// Shows each iteration to Python, if that is wanted, and looks for Ctrl-C.
 Trace python_trace(const std::optional<py::function>& show) {
+  if (!show) return python_interrupt();
   return [&show](const Iteration& i) {
     const py::gil_scoped_acquire gil;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!show) return true;
     const auto go_on = (*show)(i.energy, i.residual, i.step, i.fraction, i.shift);
     return go_on.is_none() || go_on.cast<bool>();
   };
@@ -185,7 +199,7 @@ std::shared_ptr<Equilibrium> solve_changed(Solver& solver, const Solver* given,
   for (const auto& [i, joint] : joints) scene.joints.at(i) = joint;
   for (const auto& [i, load] : loads) scene.loads.at(i) = load;
   Settings settings = settings_of(options, tol, stable, eigenvalue);
-  settings.trace = python_trace(std::nullopt);
+  settings.trace = python_interrupt();
   const py::gil_scoped_release release;
   return std::make_shared<Equilibrium>(solver.solve(std::move(scene), settings));
 }
