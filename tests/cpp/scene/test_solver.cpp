@@ -186,6 +186,15 @@ TEST_CASE("also one that is refused only when it is solved") {
   }
 }
 
+TEST_CASE("a solver with a tolerance goes on from its own grid") {
+  Solver solver(held());
+  const auto first = solver.solve(held(), {.tol = 1e-6}),
+             again = solver.solve(held(), {.tol = 1e-6});
+  REQUIRE(again.converged());
+  CHECK(apart(first, again) < 1e-7);
+  CHECK(again.found.record.size() < first.found.record.size());
+}
+
 TEST_CASE("a scene that is refused changes nothing, and copies of a solver keep what they have") {
   Solver solver(catheter({1, 0, 0}));
   const auto before = solver.solve(catheter({1, 0, 0}));

@@ -137,9 +137,14 @@ const ReadyScene& SceneSolver<S>::climbing() const {
 }
 
 template <std::same_as<Settings> S>
+std::optional<double> SceneSolver<S>::tolerance(const S& settings) const {
+  if (!settings.tol && plain().scene().chooses_edges()) return 1e-6;
+  return settings.tol;
+}
+
+template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve(const S& settings) const {
-  auto tol = settings.tol;
-  if (!tol && plain().scene().chooses_edges()) tol = 1e-6;
+  const auto tol = tolerance(settings);
   if (tol) require(*tol > 0 && *tol <= 0.1, "tol: must be a number in (0, 0.1], got ", *tol);
   settings.options.check();
   const ReadyScene& ready = tol ? climbing() : plain();
@@ -176,7 +181,8 @@ Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
 template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve_from_last(const S& settings) {
   S from = settings;
-  if (!settings.start && settings.frames.empty() && last_ && fits(*last_)) from.start = &*last_;
+  if (!settings.start && settings.frames.empty() && last_ && fits(*last_, settings))
+    from.start = &*last_;
   Equilibrium found = std::as_const(*this).solve(from);
   if (from.start != settings.start && !found.converged() && found.status() != Status::interrupted)
     found = std::as_const(*this).solve(settings);
@@ -185,11 +191,14 @@ Equilibrium SceneSolver<S>::solve_from_last(const S& settings) {
 }
 
 template <std::same_as<Settings> S>
-bool SceneSolver<S>::fits(const Equilibrium& start) const {
-  const auto& rods = plain().network().network.rods;
-  return std::ranges::equal(rods, start.found.rods, [](const auto& rod, const auto& solved) {
-    return rod.edges() == int(solved.curve.frames.size());
-  });
+bool SceneSolver<S>::fits(const Equilibrium& start, const S& settings) const {
+  const auto on = [&](const ReadyScene& ready) {
+    return std::ranges::equal(ready.network().network.rods, start.found.rods,
+                              [](const auto& rod, const auto& solved) {
+                                return rod.edges() == int(solved.curve.frames.size());
+                              });
+  };
+  return on(plain()) || (tolerance(settings) && on(climbing()));
 }
 
 }  // namespace pyrod

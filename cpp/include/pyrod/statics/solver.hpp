@@ -41,7 +41,8 @@ class SceneSolver {
  private:
   struct Parts;
   void change(Scene scene);
-  bool fits(const Equilibrium& start) const;
+  bool fits(const Equilibrium& start, const S& settings) const;
+  std::optional<double> tolerance(const S& settings) const;
   Equilibrium solve_from_last(const S& settings);
 
   std::shared_ptr<Parts> parts_;
