@@ -76,6 +76,11 @@ class Scene(Immutable):
         cut = _on_grid(rods, self._compiled.rods([rod._compiled for rod in rods]))
         if cut is not rods:
             self._set(rods=cut, loads=tuple(on_cut_edges(load, rods, cut) for load in loads))
+            self._set(given=(rods, loads))
+
+    def as_given(self) -> tuple[tuple[Rod, ...], tuple[Load, ...]]:
+        """Rods and loads without the vertices that places got, if they are known still."""
+        return self.__dict__.get("given", (self.rods, self.loads))
 
     @Once
     def _compiled(self) -> _core.Scene:

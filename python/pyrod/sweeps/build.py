@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any, Union
 
 from pyrod.base.words import listed, shortly
+from pyrod.scene.changes import are_entries, changed
 from pyrod.scene.scene import Scene
-from pyrod.solving.solver import changed
 
 Source = Union[Callable[..., Scene], Scene, str, "PathLike[str]", Mapping[str, Any]]
 
@@ -50,6 +50,8 @@ class Changed:
 
     def __call__(self, **entries: Any) -> Scene:
         """The scene with other values of these entries."""
+        if any(isinstance(value, (str, bool, Mapping)) for value in entries.values()):
+            return Edited(self.document)(**entries)  # which may have units, or is none
         return changed(self.scene, entries)[0]
 
 
@@ -64,23 +66,12 @@ def builder_of(source: Source, example: Mapping[str, Any]) -> Callable[..., Scen
     if callable(source):
         _refuse_arguments(source, example)
         return source
-    if isinstance(source, Scene) and _are_entries(source, example):
+    if isinstance(source, Scene) and are_entries(source, example):
         return Changed(source)
     edited = Edited(_document(source))
     for path in example:
         _keys(edited.document, path)
     return edited
-
-
-def _are_entries(scene: Scene, example: Mapping[str, Any]) -> bool:
-    """Whether the parameters are entries of the scene's own parts, without units."""
-    if any(isinstance(value, (str, Mapping)) for value in example.values()):
-        return False
-    try:
-        changed(scene, example)
-    except (ValueError, TypeError):
-        return False  # a document may have more; else it tells what is wrong
-    return True
 
 
 def _document(source: Any) -> Mapping[str, Any]:

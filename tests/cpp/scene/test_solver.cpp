@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -184,6 +185,47 @@ TEST_CASE("also one that is refused only when it is solved") {
     CHECK_THROWS_AS(solver.solve(leaving), InvalidArgument);
     CHECK(apart(solver.solve(solver.scene()), copy.solve()) < 1e-13);
   }
+}
+
+TEST_CASE("full turns that are put in are no matter of the last shape") {
+  const auto twisted = [](int turns) {
+    return Scene(straight(1.0, 24, soft),
+                 {Clamp{.position = Vec3(0, 0, 0)}, Clamp{.position = Vec3(0, 0, 0.9),
+                                                          .frame = Quaternion::Identity(),
+                                                          .at = End::end,
+                                                          .turns = turns}},
+                 {Force{.force = {0.3, 0.1, 0}, .at = 0.5}});
+  };
+  Solver solver(twisted(0));
+  for (const int turns : {0, 1, 2, 0}) {
+    const auto found = solver.solve(twisted(turns));
+    REQUIRE(found.converged());
+    CHECK(found.energy() == doctest::Approx(solve(twisted(turns)).energy()));
+  }
+}
+
+TEST_CASE("the space of a scene may change") {
+  const auto pulled = [](double across, Dimension space) {
+    return Scene(straight(1.0, 12, soft), {Clamp{}}, {Force{.force = {1, across, 0}}}, space);
+  };
+  Solver solver(pulled(0, Dimension::planar));
+  for (const auto& scene :
+       {pulled(0, Dimension::planar), pulled(1, Dimension::spatial), pulled(0, Dimension::planar)})
+    CHECK(apart(solver.solve(scene), solve(scene)) < 1e-11);
+}
+
+TEST_CASE("what a function throws changes nothing") {
+  int calls = 0;
+  auto scene = catheter({1, 0, 0});
+  Solver solver(scene);
+  const auto before = solver.solve(scene, {.tol = 1e-6});
+  auto failing = catheter({2, 0, 0});
+  failing.loads.push_back(DistributedForce{[&](double) {
+    if (++calls > 30) throw std::runtime_error("no more");
+    return Vec3(1, 0, 0);
+  }});
+  CHECK_THROWS_AS(solver.solve(failing, {.tol = 1e-6}), std::runtime_error);
+  CHECK(apart(before, solver.solve({.tol = 1e-6})) < 1e-9);
 }
 
 TEST_CASE("a solver with a tolerance goes on from its own grid") {

@@ -12,7 +12,20 @@ import pytest
 from support import ROUND, SOFT
 
 import pyrod
-from pyrod import Clamp, Force, Hinge, Moment, NotConverged, Options, Rod, Scene, Solver
+from pyrod import (
+    Clamp,
+    DistributedForce,
+    Force,
+    Hinge,
+    Joint,
+    Moment,
+    NotConverged,
+    Options,
+    Rod,
+    Scene,
+    Slider,
+    Solver,
+)
 from pyrod.rotation import exp
 
 
@@ -111,6 +124,142 @@ def test_what_is_no_entry_is_refused_and_nothing_has_changed(path: str) -> None:
         solver.solve({"supports.0.position": (0, 0, 1), path: (1, 2, 3, 4)})
     assert solver.scene == catheter()
     assert np.abs(solver.solve().positions - before.positions).max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ("loads.0", "expected new values by their paths, or a Scene, got 'loads.0'"),
+        (np.zeros(3), "expected new values by their paths, or a Scene"),
+        ({3: 1.0}, "paths are strings, got 3"),
+        ({"loads.0.": 1.0}, "'loads.0.': is no entry"),
+        ({"loads.0": 5}, "loads: "),
+        ({"loads.0.force.0": "x"}, "'?loads.0.force.0"),
+    ],
+    ids=str,
+)
+def test_what_are_no_changes_is_said(changes: Any, words: str) -> None:
+    with pytest.raises((ValueError, TypeError), match=words):
+        Solver(catheter()).solve(changes)
+
+
+def test_what_one_part_gets_it_gets_at_once() -> None:
+    ends = [Clamp((0, 0, 0), (1, 0, 0, 0)), Slider((1, 0, 0), at="end")]
+    solver = Solver(Scene(Rod.straight(1.0, 12, SOFT), ends, Force((0.5, 0.5, 0))))
+    solver.solve()
+    found = solver.solve({"supports.1.along": None, "supports.1.normal": (0, 0, 1)})
+    assert found.tip == pytest.approx(pyrod.solve(found.scene).tip, abs=1e-10)
+    found = solver.solve({"loads.0.force": (1, 2, 3), "loads.0.force.1": 0.1})
+    assert found.scene.loads[0].force.tolist() == [1, 0.1, 3]
+
+
+@pytest.mark.parametrize("tol", [None, 1e-6])
+@pytest.mark.parametrize("path", ["supports.1.turns", "joints.0.turns"], ids=["clamp", "ring"])
+def test_full_turns_are_put_in(path: str, tol: float | None) -> None:
+    """No equation tells how many there are: the last shape would keep its own."""
+    rod = Rod.straight(1.0, 24, SOFT)
+    ends = [Clamp((0, 0, 0), (1, 0, 0, 0)), Clamp((0, 0, 0.9), (1, 0, 0, 0), at="end")]
+    if path.startswith("joints"):
+        scene = Scene(rod, Clamp(), joints=Joint(["start", "end"]))
+    else:
+        scene = Scene(rod, ends, Force((0.3, 0.1, 0), at=0.5))
+    solver = Solver(scene, tol=tol)
+    before = solver.solve()
+    twisted = solver.solve({path: 1})
+    assert twisted.energy == pytest.approx(pyrod.solve(twisted.scene, tol=tol).energy, rel=1e-5)
+    assert twisted.energy > before.energy + 1
+    assert solver.solve({path: 0}).energy == pytest.approx(before.energy, rel=1e-5)
+
+
+def test_rows_belong_to_the_edges_that_the_scene_has() -> None:
+    """Where the solver chooses edges, a place makes as many of them, but others."""
+    loads = [Force((0, 0, 0), at=0.37), DistributedForce((0, 0, 0))]
+    scene = Scene(Rod.straight(1.0, None, SOFT), Clamp(), loads)
+    rows = np.zeros((scene.rods[0].edges, 3))
+    rows[:6, 0] = 5
+    found = Solver(scene).solve({"loads.1.force_per_length": rows})
+    expected = pyrod.solve(found.scene)
+    assert len(found.frames) == len(expected.frames)
+    assert found.tip == pytest.approx(expected.tip, abs=1e-9)
+
+
+@pytest.mark.parametrize("edges", [8, None])
+def test_a_place_that_moves_on_leaves_no_vertices_behind(edges: int | None) -> None:
+    ends = [Clamp((0, 0, 0), (1, 0, 0, 0)), Slider((1, 0, 0), at=0.5)]
+    solver = Solver(Scene(Rod.straight(1.0, edges, SOFT), ends, Force((1, 0.5, 0))))
+    for k in range(5):
+        found = solver.solve({"supports.1.at": 0.5 + 0.011 * k})
+    slider = Slider((1, 0, 0), at=0.544)
+    afresh = Scene(Rod.straight(1.0, edges, SOFT), [ends[0], slider], Force((1, 0.5, 0)))
+    assert len(found.frames) == len(pyrod.solve(afresh).frames)
+    assert found.tip == pytest.approx(pyrod.solve(afresh).tip, abs=1e-7)
+
+
+def test_what_is_thrown_meanwhile_changes_nothing() -> None:
+    calls = 0
+
+    def across(s: float) -> tuple[float, float, float]:
+        nonlocal calls
+        calls += 1
+        if calls == 13:
+            raise RuntimeError("no more")
+        return (0.0, s, 0.0)
+
+    rod = Rod.precurved(1.0, 8, SOFT, (0.5, 1, 0))
+    scene = Scene(rod, Clamp(), [Force((1, 0, 0)), DistributedForce((0, 0, 0))])
+    solver = Solver(scene, tol=1e-6)
+    solver.solve()
+    with pytest.raises(RuntimeError, match="no more"):
+        solver.solve({"loads.0.force.0": 3.0, "loads.1.force_per_length": across})
+    after = solver.solve({"loads.1.force_per_length": (0, 0.1, 0)})
+    assert after.scene.loads[0].force[0] == 1.0
+    assert after.tip == pytest.approx(pyrod.solve(after.scene, tol=1e-6).tip, abs=1e-5)
+
+
+def test_the_space_may_change() -> None:
+    rod = Rod.straight(1.0, 8, ROUND)
+    flat = Scene(rod, Clamp(), Force((1, 0, 0)), "planar")
+    solver = Solver(flat)
+    for scene in (flat, Scene(rod, Clamp(), Force((1, 1, 0))), flat):
+        assert solver.solve(scene).tip == pytest.approx(pyrod.solve(scene).tip, abs=1e-12)
+
+
+@pytest.mark.parametrize("kind", ["rigid", "ball", "hinge"])
+def test_networks_go_on_from_where_they_are(kind: Any) -> None:
+    axis = (1, 1, 0.5) if kind == "hinge" else None
+    rods = [Rod.straight(1.0, 12, SOFT), Rod.straight(0.5, 8, SOFT).placed((0, 0, 1))]
+    joint = Joint([(0, "end"), (1, "start")], kind, axis=axis)
+    ends = [Clamp((0, 0, 0), (1, 0, 0, 0)), Hinge((0.2, 0.1, 1.4), at=(1, "end"))]
+    solver = Solver(Scene(rods, ends, Force((0.5, 0.3, 0.1), at=(0, 0.5)), joints=joint))
+    first, again = solver.solve(), solver.solve()
+    assert again.iterations < first.iterations
+    assert again.rods[1].positions == pytest.approx(first.rods[1].positions, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "support", [Slider((0.3, 0.4, 1), at="end"), Slider((0.3, -0.4, 1), at="end")]
+)
+def test_a_follower_may_go_to_zero(support: Slider) -> None:
+    rod = Rod.precurved(1, 8, SOFT, (0.3, 1, 0.2))
+    clamp = Clamp((0.1, 0.2, 0.3), at=0.43)
+    scene = Scene(rod, [clamp, support], Force((1, 1, 0), at=0.6, follower=True))
+    solver = Solver(scene)
+    solver.solve()
+    still = solver.solve({"loads.0.force": (0, 0, 0)})
+    assert still.converged
+    assert pyrod.solve(still.scene).energy == pytest.approx(still.energy, abs=1e-9)
+
+
+def test_it_is_not_asked_while_it_solves() -> None:
+    solvers: list[Solver] = []
+
+    def across(s: float) -> tuple[float, float, float]:
+        return (solvers[0].solve().energy if solvers else 0.0, 0.0, 0.0)
+
+    scene = Scene(Rod.straight(1.0, 8, SOFT), Clamp(), DistributedForce(across))
+    solvers.append(Solver(scene))
+    with pytest.raises(RuntimeError, match="solving already"):
+        solvers[0].solve()
 
 
 def test_what_the_compiled_solver_refuses_changes_nothing_either() -> None:

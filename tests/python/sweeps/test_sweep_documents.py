@@ -86,3 +86,11 @@ def test_values_that_make_no_scene_are_failures() -> None:
     done = sweep(SCENE, {"rods.0.length": [1.0, -1.0, "long"]})
     assert [f.case for f in done.failures] == [1, 2]
     assert "length" in done.failures[0].error
+
+
+def test_each_case_is_what_it_is_whatever_the_others_are() -> None:
+    done = sweep(SCENE, {"loads.0.force.1": [1.0, "2 N", True]}, progress=False)
+    assert np.isfinite(done["tip"][:2]).all()
+    assert "True" in done["error"][2]
+    alone = sweep(SCENE, {"loads.0.force.1": [2.0]}, progress=False)
+    assert np.array_equal(done["tip"][1], alone["tip"][0])

@@ -34,8 +34,9 @@ class ReadyScene {
   void change(Scene scene) {
     SceneOnGrids grid(std::move(scene));
     auto network = network_of(grid);
-    change<Planar>(network);
-    change<Spatial>(network);
+    const bool planar = grid.scene().space == Dimension::planar;
+    planar ? change<Planar>(network) : change<Spatial>(network);
+    planar ? std::get<Levels<Spatial>>(levels_).clear() : std::get<Levels<Planar>>(levels_).clear();
     grid_ = std::move(grid);
     network_ = std::move(network);
   }

@@ -18,6 +18,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace pyrod {
 
@@ -82,7 +83,12 @@ class SceneSolve {
   void refuse_drift(const Equilibrium& out) const {
     if (!out.converged() || !scene().has_followers()) return;
     Vec3 left = Vec3::Zero();
-    double sizes = 0;
+    double sizes = 0, rounding = 0;
+    for (const auto& rod : out.made) {
+      const double L = rod.grid.length();
+      for (const auto& C : rod.bending)
+        rounding = std::max(rounding, 1e-9 * C.maxCoeff() / (L * L));
+    }
     const auto act = [&](const Vec3& F) { left += F, sizes += F.norm(); };
     for (const auto& rod : out.found.rods)
       for (const auto& F : rod.load) act(F);
@@ -91,8 +97,9 @@ class SceneSolve {
       const auto& node = network().network.nodes[std::size_t(network().support_nodes[i])];
       if (node.spring == 0) left -= node.free * (node.free.transpose() * out.reactions[i].force);
     }
-    require(left.norm() <= 1e-6 * sizes, "supports: nothing holds the rods against the force ",
-            left.transpose(), " of the loads that follow them; hold a point of them");
+    require(left.norm() <= 1e-6 * sizes + rounding,
+            "supports: nothing holds the rods against the force ", left.transpose(),
+            " of the loads that follow them; hold a point of them");
   }
 
   const ReadyScene& ready_;
@@ -172,7 +179,7 @@ Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
   change(std::move(changed));
   try {
     return solve_from_last(settings);
-  } catch (const InvalidArgument&) {
+  } catch (...) {  // also what functions of arc length, or whoever looks on, may throw
     shared ? void(parts_ = shared) : change(before);
     throw;
   }
@@ -182,23 +189,31 @@ template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve_from_last(const S& settings) {
   S from = settings;
   if (!settings.start && settings.frames.empty() && last_ && fits(*last_, settings))
-    from.start = &*last_;
+    from.start = &last_->found;
   Equilibrium found = std::as_const(*this).solve(from);
   if (from.start != settings.start && !found.converged() && found.status() != Status::interrupted)
     found = std::as_const(*this).solve(settings);
-  if (found.converged()) last_ = found;
+  if (found.converged()) last_ = Last{found, turns()};
   return found;
 }
 
 template <std::same_as<Settings> S>
-bool SceneSolver<S>::fits(const Equilibrium& start, const S& settings) const {
+bool SceneSolver<S>::fits(const Last& last, const S& settings) const {
   const auto on = [&](const ReadyScene& ready) {
-    return std::ranges::equal(ready.network().network.rods, start.found.rods,
+    return std::ranges::equal(ready.network().network.rods, last.found.found.rods,
                               [](const auto& rod, const auto& solved) {
                                 return rod.edges() == int(solved.curve.frames.size());
                               });
   };
-  return on(plain()) || (tolerance(settings) && on(climbing()));
+  // full turns are in the shape alone: no equation tells how many there are
+  return last.turns == turns() && (on(plain()) || (tolerance(settings) && on(climbing())));
+}
+
+template <std::same_as<Settings> S>
+std::vector<int> SceneSolver<S>::turns() const {
+  std::vector<int> out;
+  for (const auto& a : plain().network().network.attachments) out.push_back(a.turns);
+  return out;
 }
 
 }  // namespace pyrod

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace pyrod {
 
@@ -26,9 +27,9 @@ class SceneSolver {
   Equilibrium solve(const S& settings = {}) const;
 
   /// Of the scene with other numbers: places, frames, loads, stiffnesses, curvatures; and from now
-  /// on. Starts from what this function found last, and if nothing is found from there, or the
-  /// grid is another, as if that were not known. A scene that is refused changes nothing. Not for
-  /// several threads at once: each takes a copy.
+  /// on. Starts from what this function found last; if nothing is found from there, or the grid is
+  /// another, or the full turns are, as if that were not known. A scene that is refused changes
+  /// nothing. Not for several threads at once: each takes a copy.
   Equilibrium solve(Scene changed, const S& settings = {});
 
   /// The scene as it was given last.
@@ -41,12 +42,18 @@ class SceneSolver {
  private:
   struct Parts;
   void change(Scene scene);
-  bool fits(const Equilibrium& start, const S& settings) const;
+  /// What was found after a change, and the full turns that were put in.
+  struct Last {
+    Equilibrium found;
+    std::vector<int> turns;
+  };
+  bool fits(const Last& last, const S& settings) const;
+  std::vector<int> turns() const;
   std::optional<double> tolerance(const S& settings) const;
   Equilibrium solve_from_last(const S& settings);
 
   std::shared_ptr<Parts> parts_;
-  std::optional<Equilibrium> last_;  ///< that was found after a change
+  std::optional<Last> last_;
 };
 
 using Solver = SceneSolver<Settings>;

@@ -92,6 +92,7 @@ class StateNear {
         turn(v, *by_rods[v], x);
     }
     place_by_rods(known, x);
+    set_hinges(x);
     return x;
   }
 
@@ -113,6 +114,17 @@ class StateNear {
               "]: expected finite numbers, got ", start.positions[v].transpose());
       require_rotation(start.node_frames[v], "start.node_frames[", v, "]");
     }
+  }
+
+  /// The angles of hinges, as the frames beside them tell.
+  void set_hinges(NetworkState<Space>& x) const {
+    for (int rod = 0; rod < int(layout_.network().rods.size()); ++rod)
+      for (const auto& a : layout_.attached(rod)) {
+        if (!a.hinge) continue;
+        const Rotation W = x.node_frames[a.node].conjugate() * vertex_frame_of(rod, a.vertex, x) *
+                           a.relative.conjugate();
+        x.hinge_angles[a.hinge_number] = a.hinge->dot(log(principal(W)));
+      }
   }
 
   /// Nodes where they are held, or would be; without frames of edges.
