@@ -123,7 +123,11 @@ def _with_entries(part: Any, values: Mapping[str, Any]) -> Any:
     if isinstance(part, Rod):
         return replace(part, **values)
     names = entries_of(type(part))  # type: ignore[arg-type]
-    return type(part)(**{**{name: getattr(part, name) for name in names}, **values})
+    made = type(part)(**{**{name: getattr(part, name) for name in names}, **values})
+    for name, value in values.items():
+        if isinstance(value, bool) and getattr(made, name) is not value:
+            raise ValueError(f"{name}: stays {not value} for all else that the part has: {made}")
+    return made
 
 
 @cache

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import pyrod._core as _core
+from pyrod.base.arrays import yes_or_no
 from pyrod.base.immutable import Array
 from pyrod.base.words import shortly
 from pyrod.rod.place import Place, checked
@@ -50,4 +51,6 @@ class Joint(Part):
             raise ValueError(f"kind: expected 'rigid', 'hinge' or 'ball', got {shortly(self.kind)}")
         if (self.kind == "hinge") != (self.axis is not None):
             raise ValueError("axis: a hinge needs one, other joints have none")
+        if self.aligned is not None:
+            self._set(aligned=yes_or_no(self.aligned, "aligned"))
         self._set(points=points, turns=whole_turns(self.turns), axis=unit(self.axis, "axis"))

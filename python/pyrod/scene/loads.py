@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import whole
+from pyrod.base.arrays import whole, yes_or_no
 from pyrod.base.immutable import Array, frozen, vector
 from pyrod.curve._sampling import along, sampled
 from pyrod.rod.place import Place, checked
@@ -50,7 +50,7 @@ class PointLoad(Load):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self.__dict__["at"] = checked(self.at)
+        self._set(at=checked(self.at), follower=yes_or_no(self.follower, "follower"))
 
 
 class LoadAlong(Load):
@@ -59,7 +59,7 @@ class LoadAlong(Load):
     rod: int
 
     def __post_init__(self) -> None:
-        self._set(rod=whole(self.rod, "rod"))
+        self._set(rod=whole(self.rod, "rod"), follower=yes_or_no(self.follower, "follower"))
         name = self._kind.fields[0]
         if not callable(self.acting):
             self.__dict__[name] = frozen(self.acting, name)

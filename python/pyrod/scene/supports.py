@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import not_negative, number
+from pyrod.base.arrays import not_negative, number, yes_or_no
 from pyrod.base.immutable import Array, frozen, vector
 from pyrod.rod.place import Place, checked
 from pyrod.rotation import frame_along, unit_frame
@@ -156,7 +156,7 @@ class Slider(Support):
         self._set(
             along=unit(along, "along"),
             normal=unit(normal, "normal"),
-            clamped=clamped or frame is not None,
+            clamped=yes_or_no(clamped, "clamped") or frame is not None,
         )
 
     @property

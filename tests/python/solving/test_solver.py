@@ -143,6 +143,15 @@ def test_what_are_no_changes_is_said(changes: Any, words: str) -> None:
         Solver(catheter()).solve(changes)
 
 
+def test_what_would_not_change_is_said() -> None:
+    """A slider whose frame is given holds it."""
+    slider = Slider((0, 0, 1), frame=(1, 0, 0, 0), at="end")
+    solver = Solver(Scene(Rod.straight(1.0, 8, SOFT), [Clamp(), slider], Force((1, 0, 0), at=0.5)))
+    with pytest.raises(ValueError, match="clamped: stays True"):
+        solver.solve({"supports.1.clamped": False})
+    assert solver.solve({"supports.1.clamped": False, "supports.1.frame": None}).converged
+
+
 def test_what_one_part_gets_it_gets_at_once() -> None:
     ends = [Clamp((0, 0, 0), (1, 0, 0, 0)), Slider((1, 0, 0), at="end")]
     solver = Solver(Scene(Rod.straight(1.0, 12, SOFT), ends, Force((0.5, 0.5, 0))))
