@@ -41,32 +41,37 @@ def changed(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Parts | Non
     And its new parts, if they are all that has changed; else None: rods or places are others.
     """
     new, moved = _new_parts(scene, values)
-    entries = {name: getattr(scene, name) for name in KINDS}
+    entries = {kind: getattr(scene, kind) for kind in KINDS}
     given = _uncut(scene, new)
-    if not moved:
-        made = object.__new__(Scene)  # the compiled solver checks the parts as it takes them
-        made.__dict__.update(_replaced(entries, new), space=scene.space)
-        if given is not None:
-            made.__dict__.update(given=given)
-        return made, new
-    if given is not None and "rods" not in new:
-        entries.update(rods=given[0], loads=given[1])
-    return Scene(space=scene.space, **_replaced(entries, new)), None
+    if moved:
+        if given is not None and "rods" not in new:
+            entries.update(rods=given[0], loads=given[1])
+        return Scene(space=scene.space, **_replaced(entries, new)), None
+    made = object.__new__(Scene)  # the compiled solver checks the parts as it takes them
+    made.__dict__.update(_replaced(entries, new), space=scene.space)
+    if given is not None:
+        made.__dict__.update(given=given)
+    return made, new
 
 
 def _uncut(scene: Scene, new: Parts) -> tuple[tuple[Any, ...], tuple[Any, ...]] | None:
     """Rods and loads without vertices of places; None: rows of loads belong to these vertices."""
     rods, loads = scene.as_given()
+    if rods is scene.rods:
+        return None
     loads = _replaced({"loads": loads}, new)["loads"]
     rows = any(getattr(load.acting, "ndim", 1) > 1 for load in loads if isinstance(load, LoadAlong))
-    return None if rods is scene.rods or rows else (rods, loads)
+    return None if rows else (rods, loads)
 
 
-def _replaced(entries: Mapping[str, Any], new: Parts) -> dict[str, Any]:
-    return {
-        kind: tuple([new.get(kind, {}).get(i, old) for i, old in enumerate(parts)])
-        for kind, parts in entries.items()
-    }
+def _replaced(entries: dict[str, Any], new: Parts) -> dict[str, Any]:
+    """The entries with these parts in them."""
+    for kind in new.keys() & entries:
+        parts = list(entries[kind])
+        for which, part in new[kind].items():
+            parts[which] = part
+        entries[kind] = tuple(parts)
+    return entries
 
 
 def _new_parts(scene: Scene, values: Mapping[str, Any]) -> tuple[Parts, bool]:
