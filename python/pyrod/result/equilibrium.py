@@ -61,6 +61,10 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
 
     def __getattr__(self, name: str) -> Any:
         """What is made when it is asked for, and what is known of the only rod."""
+        if name == "reactions":
+            made = tuple([Reaction(*one) for one in Lazy.__getattr__(self, name)])
+            self._set(reactions=made)
+            return made
         if name not in OfTheOnlyRod.__annotations__:
             return Lazy.__getattr__(self, name)
         rods = self.__dict__["rods"]

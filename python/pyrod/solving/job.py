@@ -11,7 +11,7 @@ from pyrod._core import Options
 from pyrod.base.immutable import lazily
 from pyrod.result.accuracy import accuracy_of, checked_tolerance
 from pyrod.result.equilibrium import Equilibrium
-from pyrod.result.rods import Reaction, RodEquilibrium
+from pyrod.result.rods import RodEquilibrium
 from pyrod.rod.rod import Rod
 from pyrod.rotation import as_frames
 from pyrod.scene.scene import Scene
@@ -66,7 +66,6 @@ def equilibrium_of(
         status=found.status,
         scene=scene,
         rods=tuple(map(_rod_equilibrium, scene.rods, found.rods)),
-        reactions=tuple([Reaction(*reaction) for reaction in found.reactions]),
         time=time,
         lowest_eigenvalue=found.lowest_eigenvalue if how.eigenvalue else None,
         accuracy=accuracy,
