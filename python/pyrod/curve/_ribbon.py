@@ -33,7 +33,8 @@ def link(ribbon: FramedCurve, threads: int = 0) -> int:
 def edge(ribbon: FramedCurve, distance: float, threads: int = 0) -> Polyline:
     """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame.
 
-    It winds around a closed curve as often as `link` says if it stays near enough. O(n^2).
+    It winds around a closed curve as often as `link` says if it stays near enough, and on the side
+    to which the edges' a1 point: not where a corner, with its twist, turns nearly back. O(n^2).
 
     Parameters
     ----------

@@ -172,9 +172,39 @@ def test_link_of_any_polygon(arc: Polyline, link: int) -> None:
         assert abs(link - arc.writhe()) * cells >= 0.5  # turns at one vertex
         return
     assert abs(ribbon.twist + arc.writhe() - link) < 1e-10
-    assume(np.abs(ribbon.twist_angles).max() < 1)  # so that the edge is near the ribbon
     near = 1e-3 * min(arc.edge_lengths.min(), arc.self_approach().distance)
-    assert linking_number(arc, ribbon.edge(near)) == link
+    edge = ribbon.edge(near)
+    assume(is_beside(ribbon, edge))
+    assert linking_number(arc, edge) == link
+
+
+def is_beside(ribbon: FramedCurve, edge: Polyline) -> bool:
+    """Whether the edge has its vertices on the sides of the arc's edges to which their a1 point.
+
+    Elsewhere, at a corner that turns by more than two right angles with the twist, it changes sides
+    and links once more or less.
+    """
+    a1 = ribbon.matrices[..., 0]
+    start = edge.positions[: len(a1)] - ribbon.polyline.positions[: len(a1)]
+    end = np.roll(start, -1, axis=0)
+    return bool((np.sum(a1 * start, axis=1) > 0).all() and (np.sum(a1 * end, axis=1) > 0).all())
+
+
+def test_an_edge_that_changes_sides_links_otherwise() -> None:
+    """The corner of 147 degrees, twisted by half a radian."""
+    corners = [
+        (0.70459898, -1.55042176, 0.48497187),
+        (0.93953242, 0.47079508, 0.34590371),
+        (1.32148295, 1.12050668, -1.14137328),
+        (-0.28525085, 1.06365001, -2.06786924),
+        (1.32241384, -0.00971558, -2.61118371),
+        (-1.7387867, 0.30779905, -0.24923453),
+    ]
+    arc = Polyline(corners, closed=True)
+    ribbon = arc.closed_ribbon(0)
+    edge = ribbon.edge(1e-3)
+    assert not is_beside(ribbon, edge)
+    assert linking_number(arc, edge) == 1
 
 
 # Any input ----------------------------------------------------------------------------------------
