@@ -172,6 +172,7 @@ def test_link_of_any_polygon(arc: Polyline, link: int) -> None:
         assert abs(link - arc.writhe()) * cells >= 0.5  # turns at one vertex
         return
     assert abs(ribbon.twist + arc.writhe() - link) < 1e-10
+    assume(np.abs(ribbon.twist_angles).max() < 1)  # so that the edge is near the ribbon
     near = 1e-3 * min(arc.edge_lengths.min(), arc.self_approach().distance)
     edge = ribbon.edge(near)
     assume(is_beside(ribbon, edge))
