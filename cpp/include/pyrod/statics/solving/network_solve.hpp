@@ -33,10 +33,14 @@ class NetworkSolver {
  public:
   using State = NetworkState<Space>;
 
-  /// `posed` and `trace` must stay where they are.
+  /// `posed` must stay where it is.
   NetworkSolver(const Posed<Space>& posed, const Options& options, const NetworkOptions& more,
-                const Trace& trace)
-      : posed_(posed), layout_(posed.layout()), options_(options), more_(more), trace_(trace) {}
+                Trace trace)
+      : posed_(posed),
+        layout_(posed.layout()),
+        options_(options),
+        more_(more),
+        trace_(std::move(trace)) {}
 
   /// From the shapes that `ClampedStart` and `Start` make.
   Solution<Space> solve() {
@@ -152,7 +156,7 @@ class NetworkSolver {
   const Layout<Space>& layout_;
   Options options_;
   NetworkOptions more_;
-  const Trace& trace_;
+  Trace trace_;
   Search<Space> search_;
 };
 
