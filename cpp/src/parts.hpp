@@ -6,6 +6,7 @@
 
 #include <pyrod/scene/rod_on_grid.hpp>
 #include <pyrod/scene/scene.hpp>
+#include <pyrod/statics/solver.hpp>
 
 #include <string_view>
 
@@ -41,6 +42,9 @@ inline const char* name(ModelKind model) {
 inline Dimension space_of(std::string_view name) {
   return name == "planar" ? Dimension::planar : Dimension::spatial;
 }
+
+/// How a scene is solved, and the solvers of many and of one that changes.
+void solving(py::module_& module, py::class_<Solver>& scene);
 
 /// "start", "end", an arc length, or (number of a rod, one of these).
 Place place(const py::handle& at);
