@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-import pyrod._core as _core
 from pyrod.base.arrays import array, number
 from pyrod.base.words import listed, shortly
 from pyrod.rod.rod import Rod
@@ -22,17 +21,6 @@ PLACES = ("at", "rod", "points")
 """Entries that decide where rods have vertices."""
 Parts = dict[str, dict[int, Any]]
 """Parts of a scene by kind and number."""
-
-
-def on_its_edges(scene: Scene) -> _core.Scene:
-    """The compiled scene whose rods have the vertices of its places: as many as rows have edges."""
-    return _core.Scene(
-        [rod._compiled for rod in scene.rods],
-        [support._compiled for support in scene.supports],
-        [joint._compiled for joint in scene.joints],
-        [load._compiled for load in scene.loads],
-        scene.space,
-    )
 
 
 def changed(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Parts | None]:

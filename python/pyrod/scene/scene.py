@@ -85,13 +85,7 @@ class Scene(Immutable):
     @Once
     def _compiled(self) -> _core.Scene:
         """The compiled scene; it says what cannot be solved."""
-        return _core.Scene(
-            [rod._compiled for rod in self.rods],
-            [support._compiled for support in self.supports],
-            [joint._compiled for joint in self.joints],
-            [load._compiled for load in self.loads],
-            self.space,
-        )
+        return compiled_of(self)
 
     def refined(self, level: int) -> Scene:
         """The same scene with every edge cut in 2^level, and no choice of edges left."""
@@ -193,6 +187,17 @@ def _tuple(items: Any, kind: type, name: str) -> tuple[Any, ...]:
         if not isinstance(item, kind):
             raise TypeError(f"{name}: cannot use a {type(item).__name__}{_belonging(item)}")
     return items
+
+
+def compiled_of(scene: Scene) -> _core.Scene:
+    """The compiled scene, of the rods as the scene has them now."""
+    return _core.Scene(
+        [rod._compiled for rod in scene.rods],
+        [support._compiled for support in scene.supports],
+        [joint._compiled for joint in scene.joints],
+        [load._compiled for load in scene.loads],
+        scene.space,
+    )
 
 
 def _belonging(item: Any) -> str:

@@ -11,8 +11,8 @@ import pyrod._core as _core
 from pyrod._core import Options
 from pyrod.base.words import shortly
 from pyrod.result.equilibrium import Equilibrium
-from pyrod.scene.changes import KINDS, Parts, changed, on_its_edges
-from pyrod.scene.scene import Scene, checked_scene
+from pyrod.scene.changes import KINDS, Parts, changed
+from pyrod.scene.scene import Scene, checked_scene, compiled_of
 from pyrod.solving.job import DEFAULTS, How, equilibrium_of
 from pyrod.solving.run import judge
 
@@ -46,7 +46,8 @@ class Solver:
         self._scene = checked_scene(scene)
         self._how = How(options or DEFAULTS, stable, eigenvalue, tol).checked()
         self._strict = strict
-        self._solver = _core.Solver(on_its_edges(scene))
+        # of the rods with the vertices of places: rows of loads have as many as these have edges
+        self._solver = _core.Solver(compiled_of(scene))
         self._busy = Lock()
         self._thread: int | None = None  # which solves now
 
@@ -97,7 +98,7 @@ class Solver:
             scene, new = changed(self._scene, changes or {})
         rods, supports, joints, loads = compiled_parts(new or {})
         found = self._solver.solve(
-            on_its_edges(scene) if new is None else None,  # type: ignore[arg-type]
+            compiled_of(scene) if new is None else None,  # type: ignore[arg-type]
             rods,
             supports,
             joints,
