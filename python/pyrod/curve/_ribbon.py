@@ -34,7 +34,8 @@ def edge(ribbon: FramedCurve, distance: float, threads: int = 0) -> Polyline:
     """The edge of the ribbon: each vertex moved by ``distance`` along a1 of its frame.
 
     It winds around a closed curve as often as `link` says if it stays near enough, and on the side
-    to which the edges' a1 point: not where a corner, with its twist, turns nearly back. O(n^2).
+    to which the edges' a1 point: not where more than a right angle of a corner's turn belongs to
+    the longer of its edges. O(n^2).
 
     Parameters
     ----------

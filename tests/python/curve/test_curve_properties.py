@@ -182,8 +182,8 @@ def test_link_of_any_polygon(arc: Polyline, link: int) -> None:
 def is_beside(ribbon: FramedCurve, edge: Polyline) -> bool:
     """Whether the edge has its vertices on the sides of the arc's edges to which their a1 point.
 
-    Elsewhere, at a corner that turns by more than two right angles with the twist, it changes sides
-    and links once more or less.
+    Where more than a right angle of a corner's turn belongs to one of its edges, the longer one, it
+    changes sides, and links once more or less.
     """
     a1 = ribbon.matrices[..., 0]
     start = edge.positions[: len(a1)] - ribbon.polyline.positions[: len(a1)]
@@ -192,7 +192,7 @@ def is_beside(ribbon: FramedCurve, edge: Polyline) -> bool:
 
 
 def test_an_edge_that_changes_sides_links_otherwise() -> None:
-    """The corner of 147 degrees, twisted by half a radian."""
+    """At the corner of 147 degrees, one of whose edges is much longer than the other."""
     corners = [
         (0.70459898, -1.55042176, 0.48497187),
         (0.93953242, 0.47079508, 0.34590371),
