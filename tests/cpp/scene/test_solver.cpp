@@ -208,9 +208,9 @@ TEST_CASE("the space of a scene may change") {
   const auto pulled = [](double across, Dimension space) {
     return Scene(straight(1.0, 12, soft), {Clamp{}}, {Force{.force = {1, across, 0}}}, space);
   };
-  Solver solver(pulled(0, Dimension::planar));
-  for (const auto& scene :
-       {pulled(0, Dimension::planar), pulled(1, Dimension::spatial), pulled(0, Dimension::planar)})
+  const auto flat = pulled(0, Dimension::planar), out_of_plane = pulled(1, Dimension::spatial);
+  Solver solver(flat);
+  for (const auto& scene : {flat, flat, out_of_plane, out_of_plane, flat, flat, out_of_plane})
     CHECK(apart(solver.solve(scene), solve(scene)) < 1e-11);
 }
 
@@ -226,6 +226,35 @@ TEST_CASE("what a function throws changes nothing") {
   }});
   CHECK_THROWS_AS(solver.solve(failing, {.tol = 1e-6}), std::runtime_error);
   CHECK(apart(before, solver.solve({.tol = 1e-6})) < 1e-9);
+}
+
+TEST_CASE("also where the scene of before could not be made again") {
+  bool broken = false;
+  auto scene = catheter({1, 0, 0});
+  scene.loads.push_back(DistributedForce{[&](double) {
+    if (broken) throw std::runtime_error("no more");
+    return Vec3(1, 0, 0);
+  }});
+  Solver solver(scene);
+  const auto before = solver.solve(scene);
+  broken = true;
+  CHECK_THROWS_AS(solver.solve(scene), std::runtime_error);
+  CHECK(apart(before, solver.solve()) < 1e-12);  // what it has of it is there
+  CHECK(solver.solve(catheter({2, 0, 0})).converged());
+}
+
+TEST_CASE("followers are refused where nothing holds against them, however small they are") {
+  const auto held_across = [](double F) {
+    return Scene(
+        precurved(1.0, 12, soft, Vec3(0, 1, 0)),
+        {Clamp{.at = 0.4}, Slider{.along = Vec3(0, 0, 1), .clamped = true, .at = End::end}},
+        {Force{.force = {F, 0, 0}, .at = End::start, .follower = true}});
+  };
+  CHECK(solve(held_across(0)).converged());
+  Scene drifting(straight(1.0, 12, soft),
+                 {Slider{.along = Vec3(0, 0, 1), .clamped = true, .at = End::start}},
+                 {Force{.force = {0, 0, 1e-8}, .follower = true}});
+  CHECK_THROWS_AS(solve(drifting), InvalidArgument);
 }
 
 TEST_CASE("a solver with a tolerance goes on from its own grid") {
@@ -245,7 +274,8 @@ TEST_CASE("a scene that is refused changes nothing, and copies of a solver keep 
   bad.loads.push_back(Force{.force = {1, 0, 0}, .at = 1.5});
   CHECK_THROWS_AS(solver.solve(bad), InvalidArgument);
   CHECK(apart(before, solver.solve()) < 1e-12);
-  CHECK(solver.solve(catheter({2, 0, 0})).converged());
+  for (const double F : {2, 3, 2})  // it changes by turns what it has of two scenes
+    CHECK(solver.solve(catheter({F, 0, 0})).converged());
   CHECK(apart(before, copy.solve()) < 1e-12);
   CHECK(apart(before, solver.solve()) > 1e-2);
 }

@@ -87,7 +87,7 @@ class SceneSolve {
     for (const auto& rod : out.made) {
       const double L = rod.grid.length();
       for (const auto& C : rod.bending)
-        rounding = std::max(rounding, 1e-9 * C.maxCoeff() / (L * L));
+        rounding = std::max(rounding, 1e-13 * C.maxCoeff() / (L * L));
     }
     const auto act = [&](const Vec3& F) { left += F, sizes += F.norm(); };
     for (const auto& rod : out.found.rods)
@@ -118,6 +118,14 @@ struct SceneSolver<S>::Parts {
 
   explicit Parts(Scene scene)
       : given(std::move(scene)), plain(with_vertices_at_places(given, false)) {}
+
+  /// Other numbers, in what nobody else uses.
+  void change(Scene scene) {
+    plain.change(with_vertices_at_places(scene, false));
+    given = std::move(scene);
+    once = std::make_unique<std::once_flag>();
+    climbing.reset();
+  }
 };
 
 template <std::same_as<Settings> S>
@@ -160,27 +168,20 @@ Equilibrium SceneSolver<S>::solve(const S& settings) const {
 }
 
 template <std::same_as<Settings> S>
-void SceneSolver<S>::change(Scene scene) {
-  if (parts_.use_count() > 1) {  // copies keep theirs
-    parts_ = std::make_shared<Parts>(std::move(scene));
-    return;
-  }
-  auto& parts = *parts_;
-  parts.plain.change(with_vertices_at_places(scene, false));
-  parts.given = std::move(scene);
-  parts.once = std::make_unique<std::once_flag>();
-  parts.climbing.reset();
-}
-
-template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
-  const auto shared = parts_.use_count() > 1 ? parts_ : nullptr;
-  const Scene before = scene();
-  change(std::move(changed));
+  auto next = std::move(spare_);
+  if (next.use_count() == 1)
+    next->change(std::move(changed));
+  else  // there is none yet, or copies have it
+    next = std::make_shared<Parts>(std::move(changed));
+  std::swap(parts_, next);
   try {
-    return solve_from_last(settings);
+    auto found = solve_from_last(settings);
+    spare_ = std::move(next);
+    return found;
   } catch (...) {  // also what functions of arc length, or whoever looks on, may throw
-    shared ? void(parts_ = shared) : change(before);
+    std::swap(parts_, next);
+    spare_ = std::move(next);
     throw;
   }
 }

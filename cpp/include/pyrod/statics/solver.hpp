@@ -41,7 +41,6 @@ class SceneSolver {
 
  private:
   struct Parts;
-  void change(Scene scene);
   /// What was found after a change, and the full turns that were put in.
   struct Last {
     Equilibrium found;
@@ -53,6 +52,7 @@ class SceneSolver {
   Equilibrium solve_from_last(const S& settings);
 
   std::shared_ptr<Parts> parts_;
+  std::shared_ptr<Parts> spare_;  ///< those of the scene before, whose numbering the next one takes
   std::optional<Last> last_;
 };
 
