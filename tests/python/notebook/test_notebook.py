@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from scenes_of_all_kinds import scenes
-from support import FLAT, ROUND, SOFT, solved
+from support import FLAT, ROUND, SOFT
 
 import pyrod
 from pyrod import Clamp, Force, Rod, Scene
@@ -251,87 +251,3 @@ def test_matplotlib_is_not_imported() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
-
-
-# Completion ---------------------------------------------------------------------------------------
-
-
-def hidden(names: list[str]) -> list[str]:
-    return [name for name in names if name[0] == "_" and name[:2] != "__"]
-
-
-def test_completion_shows_what_exists_before_it_is_made() -> None:
-    result = solved(Rod.straight(1.0, 4, SOFT), Force((1, 0, 0)))
-    names = dir(result)
-    assert hidden(names) == hidden(dir(result.rods[0])) == hidden(dir(result.scene)) == []
-    assert {"positions", "K", "tip", "record", "reactions", "plot"} <= set(names)
-    fields = {*pyrod.Equilibrium.__dataclass_fields__, *pyrod.RodEquilibrium.__dataclass_fields__}
-    assert fields - {"rod"} <= set(names)
-    for name in fields & set(names):
-        getattr(result, name)
-
-
-def test_completion_shows_nothing_that_is_ambiguous(joined_rods: pyrod.Equilibrium) -> None:
-    names = dir(joined_rods)
-    assert "rods" in names
-    assert "positions" not in names
-    assert not hasattr(joined_rods, "positions")
-
-
-def test_columns_of_a_sweep_are_completed() -> None:
-    swept = sweep_of({"load": [1.0]})
-    names = swept._ipython_key_completions_()
-    assert {"load", "energy", "tip", "time", "error"} <= set(names)
-    for name in names:
-        assert len(swept[name]) == 1
-    assert hidden(dir(swept)) == []
-
-
-# Errors -------------------------------------------------------------------------------------------
-
-ROD = Rod.straight(1.0, 4, ROUND)
-SCENE = Scene(ROD, Clamp(), Force((0, 0, 1)))
-LONG: dict[str, Any] = {
-    "list": list(range(100_000)),
-    "array": np.zeros((1000, 7)),
-    "text": "x" * 100_000,
-    "dict": {str(i): i for i in range(5000)},
-}
-REFUSING: dict[str, Any] = {
-    "force": Force,
-    "at": lambda v: Force((0, 0, 1), at=v),
-    "position": Clamp,
-    "turns": lambda v: Clamp(turns=v),
-    "section": lambda v: pyrod.Section(v, 1, 1),
-    "length": lambda v: Rod.straight(v, 4, ROUND),
-    "model": lambda v: Rod.straight(1, 4, ROUND, v),
-    "curvature": lambda v: Rod.precurved(1, 4, ROUND, v),
-    "space": lambda v: Scene(ROD, Clamp(), space=v),
-    "rods": lambda v: Scene(v, Clamp()),
-    "kind": lambda v: pyrod.Joint(("start", "end"), v),
-    "tol": lambda v: pyrod.solve(SCENE, tol=v),
-    "start": lambda v: pyrod.solve(SCENE, start=v),
-    "closed": lambda v: pyrod.curve.Polyline(np.eye(3), v),
-    "parameters": lambda v: pyrod.sweep(SCENE, v, progress=False),
-    "loads": lambda v: pyrod.critical_load(SCENE, loads=v),
-    "quantity": lambda v: pyrod.effect(SCENE, v),
-    "vector": pyrod.rotation.exp,
-    "radius": pyrod.Outline.circle,
-}
-
-
-@pytest.mark.parametrize("value", LONG)
-@pytest.mark.parametrize("argument", REFUSING)
-def test_errors_fit_on_a_screen(argument: str, value: str) -> None:
-    """Whatever was given is not repeated at length, nor are the errors of helpers below."""
-    with pytest.raises((TypeError, ValueError)) as raised:
-        REFUSING[argument](LONG[value])
-    error = raised.value
-    assert len(str(error)) < 400
-    assert error.__cause__ is None
-    assert error.__suppress_context__ or error.__context__ is None
-
-
-def test_few_values_are_told_as_they_are() -> None:
-    with pytest.raises(ValueError, match=r"got 'pin'$"):
-        pyrod.Joint(("start", "end"), "pin")  # type: ignore[arg-type]
