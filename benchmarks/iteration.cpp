@@ -101,7 +101,7 @@ void row(int n, ModelKind model, const char* name) {
   Newton<NetworkProblem<Space>> newton(problem);
   int iterations = 0;
   const double newton_time = seconds([&] { iterations = newton.solve(start).iterations(); }, 3);
-  const double all = seconds([&] { NetworkSolver<Space>(posed, {}, {}, {}).solve(); }, 3);
+  const double all = seconds([&] { told(posed, find<Space>(posed, {}, {}, {}, {})); }, 3);
   std::printf(
       "%-8s %-12s %8d %6.1f %6.0f %6.0f %6.1f %6.0f %6.0f %6.2f %4d %7.0f %6.2f %10.3f %6.0f\n",
       Space::spin == 3 ? "spatial" : "planar", name, n, evaluate, factorise, solve, move, iteration,

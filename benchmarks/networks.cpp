@@ -52,20 +52,19 @@ Network<Spatial> grid(int k) {
 
 void row(int k) {
   const auto net = grid(k);
-  Solution<Spatial> result;
-  NetworkState<Spatial> state;
+  Found<Spatial> result;
   const double all = seconds(
       [&] {
         const Posed<Spatial> posed(net);
         NetworkSolver<Spatial> solver(posed, {}, {}, {});
-        result = solver.solve();
-        state = solver.state();
+        result = solver.find();
       },
       3);
   const Posed<Spatial> posed(net);
   const auto& layout = posed.layout();
   const auto& problem = posed.problem();
   auto here = problem.linearisation();
+  const auto& state = result.state;
   auto moved = state;
   problem.linearise(state, Hessian::exact, here);
   Ldlt factor(here.hessian);

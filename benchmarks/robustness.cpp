@@ -32,7 +32,7 @@ void row(double force, double curvature, double moment) {
   for (int i = 0; i < rods; ++i) {
     const auto found = solve_random(force, curvature, moment);
     if (found.converged())
-      iterations.push_back(int(found.found.record.size()));
+      iterations.push_back(int(found.course.record.size()));
     else
       ++failed;
     unstable += found.index() > 0;

@@ -94,15 +94,13 @@ struct Solved {
   Posed<Spatial> posed;
   const Layout<Spatial>& layout = posed.layout();
   const NetworkProblem<Spatial>& problem = posed.problem();
-  Solution<Spatial> result;
-  NetworkState<Spatial> state;
+  Found<Spatial> result;
   LinearisationOf<NetworkProblem<Spatial>> here;
 
   explicit Solved(const Network<Spatial>& net) : posed(net), here(problem.linearisation()) {
     NetworkSolver<Spatial> solver(posed, {}, {}, {});
-    result = solver.solve();
-    state = solver.state();
-    problem.linearise(state, Hessian::exact, here);
+    result = solver.find();
+    problem.linearise(result.state, Hessian::exact, here);
   }
 };
 
@@ -110,27 +108,32 @@ void iteration(int n) {
   const auto net = held(n, 1);
   Solved at(net);
   Ldlt factor(at.here.hessian);
-  auto moved = at.state;
+  auto moved = at.result.state;
   Vector δ(at.here.gradient.size());
   const auto step = [&] {
-    at.problem.linearise(at.state, Hessian::exact, at.here);
+    at.problem.linearise(at.result.state, Hessian::exact, at.here);
     factor.factorise();
     factor.solve(at.here.gradient, δ);
-    at.problem.move(at.state, δ, moved);
+    at.problem.move(at.result.state, δ, moved);
   };
   const double ns = 1e9 / n;
   const double evaluate =
-      ns * seconds([&] { at.problem.linearise(at.state, Hessian::exact, at.here); });
+      ns * seconds([&] { at.problem.linearise(at.result.state, Hessian::exact, at.here); });
   const double factorise = ns * seconds([&] { factor.factorise(); });
   const double solve = ns * seconds([&] { factor.solve(at.here.gradient, δ); });
-  const double move = ns * seconds([&] { at.problem.move(at.state, δ, moved); });
+  const double move = ns * seconds([&] { at.problem.move(at.result.state, δ, moved); });
   const double all = ns * seconds(step);
   const double bare = ns * seconds([&] {
                         factor.factorise();
                         factor.solve(at.here.gradient, δ);
                       });
   const double call =
-      seconds([&] { NetworkSolver<Spatial>(Posed<Spatial>(net), {}, {}, {}).solve(); }, 3);
+      seconds(
+          [&] {
+            const Posed<Spatial> posed(net);
+            told(posed, find<Spatial>(posed, {}, {}, {}, {}));
+          },
+          3);
   std::printf("%8d %6.0f %7.0f %6.0f %5.0f %6.0f %6.0f %6.2f %6.2f %4d %9.3f\n", n, evaluate,
               factorise, solve, move, all, bare, all / bare, at.result.fill,
               int(at.result.record.size()), 1e3 * call);

@@ -46,12 +46,24 @@ py::dict record(const std::vector<Iteration>& lines) {
   return out;
 }
 
+/// One rod of an equilibrium, which it keeps alive. What it says is worked out when it is asked.
+struct RodOf {
+  std::shared_ptr<const Equilibrium> all;
+  int number;
+
+  const RodSolution<Spatial>& get() const { return all->rod(number); }
+};
+
 void bind_rod_solution(py::module_& module) {
   using S = RodSolution<Spatial>;
-  auto type = py::class_<S, std::shared_ptr<S>>(module, "RodSolution", "One rod in equilibrium.");
+  py::class_<RodOf> type(module, "RodSolution", "One rod in equilibrium.");
+  const auto property = [&](const char* name, auto&& get) {
+    type.def_property_readonly(name, [get](const RodOf& rod) { return get(rod.get()); });
+  };
   const auto vectors = [&](const char* name, auto&& get) {
-    type.def_property_readonly(
-        name, [get](const py::object& self) { return view(get(self.cast<const S&>()), self); });
+    type.def_property_readonly(name, [get](const py::object& self) {
+      return view(get(self.cast<const RodOf&>().get()), self);
+    });
   };
   vectors("positions", [](const S& s) -> const auto& { return s.curve.positions; });
   vectors("K", [](const S& s) -> const auto& { return s.strains.K; });
@@ -62,27 +74,23 @@ void bind_rod_solution(py::module_& module) {
   vectors("moment", [](const S& s) -> const auto& { return s.moment; });
   vectors("material_moment", [](const S& s) -> const auto& { return s.material_moment; });
   vectors("load", [](const S& s) -> const auto& { return s.load; });
-  type.def_property_readonly("K_before",
-                             [](const S& s) {
-                               return before(s.strains.K, s.before,
-                                             [](const auto& b) { return b.K; });
-                             })
-      .def_property_readonly("vertex_force_before",
-                             [](const S& s) {
-                               return before(s.vertex_force, s.before,
-                                             [](const auto& b) { return b.force; });
-                             })
-      .def_property_readonly("moment_before", [](const S& s) {
-        return before(s.moment, s.before, [](const auto& b) { return b.moment; });
-      });
-  type.def_property_readonly("largest_K", [](const S& s) { return s.largest.K; })
-      .def_property_readonly("largest_force", [](const S& s) { return s.largest.force; })
-      .def_property_readonly("largest_moment", [](const S& s) { return s.largest.moment; });
-  type.def_property_readonly("frames", [](const S& s) { return copied(s.curve.frames); })
-      .def_property_readonly("vertex_frames", [](const S& s) { return copied(s.vertex_frames); })
-      .def_property_readonly("load_moment", [](const S& s) { return copied<Vec3>(s.load_moment); })
-      .def_readonly("bend_twist_energy", &S::bend_twist_energy)
-      .def_readonly("stretch_shear_energy", &S::stretch_shear_energy);
+  property("K_before", [](const S& s) {
+    return before(s.strains.K, s.before, [](const auto& b) { return b.K; });
+  });
+  property("vertex_force_before", [](const S& s) {
+    return before(s.vertex_force, s.before, [](const auto& b) { return b.force; });
+  });
+  property("moment_before", [](const S& s) {
+    return before(s.moment, s.before, [](const auto& b) { return b.moment; });
+  });
+  property("largest_K", [](const S& s) { return s.largest.K; });
+  property("largest_force", [](const S& s) { return s.largest.force; });
+  property("largest_moment", [](const S& s) { return s.largest.moment; });
+  property("frames", [](const S& s) { return copied(s.curve.frames); });
+  property("vertex_frames", [](const S& s) { return copied(s.vertex_frames); });
+  property("load_moment", [](const S& s) { return copied<Vec3>(s.load_moment); });
+  property("bend_twist_energy", [](const S& s) { return s.bend_twist_energy; });
+  property("stretch_shear_energy", [](const S& s) { return s.stretch_shear_energy; });
 }
 
 py::object accuracy(const Equilibrium& e) {
@@ -103,18 +111,10 @@ py::list doubts(const Equilibrium& e) {
 }
 
 py::tuple reactions(const Equilibrium& e) {
-  py::tuple out(e.reactions.size());
-  for (std::size_t i = 0; i < e.reactions.size(); ++i)
+  py::tuple out(e.reactions().size());
+  for (std::size_t i = 0; i < e.reactions().size(); ++i)
     out[i] =
-        py::make_tuple(copied<Vec3>(e.reactions[i].force), copied<Vec3>(e.reactions[i].moment));
-  return out;
-}
-
-/// Each keeps the whole equilibrium alive.
-py::tuple rods(const std::shared_ptr<Equilibrium>& e) {
-  py::tuple out(e->found.rods.size());
-  for (std::size_t i = 0; i < e->found.rods.size(); ++i)
-    out[i] = std::shared_ptr<RodSolution<Spatial>>(e, &e->found.rods[i]);
+        py::make_tuple(copied<Vec3>(e.reactions()[i].force), copied<Vec3>(e.reactions()[i].moment));
   return out;
 }
 
@@ -125,7 +125,7 @@ void equilibrium(py::module_& module) {
   using E = Equilibrium;
   py::class_<E, std::shared_ptr<E>> type(module, "Equilibrium", "A scene, solved.");
   const auto field = [&](const char* name, auto Course::* member) {
-    type.def_property_readonly(name, [member](const E& e) { return e.found.*member; });
+    type.def_property_readonly(name, [member](const E& e) { return e.course.*member; });
   };
   field("index", &Course::index);
   field("residual", &Course::residual);
@@ -136,14 +136,19 @@ void equilibrium(py::module_& module) {
   field("fill", &Course::fill);
   field("neutral", &Course::neutral);
   field("lowest_eigenvalue", &Course::lowest_eigenvalue);
-  type.def_property_readonly("rods", &rods)
+  type.def(
+          "rod",
+          [](const std::shared_ptr<const E>& e, int number) {
+            return RodOf{e, number};
+          },
+          py::arg("number"))
       .def_property_readonly("status", [](const E& e) { return std::string(name(e.status())); })
       .def_property_readonly("advice", [](const E& e) { return std::string(e.advice()); })
-      .def_property_readonly("record", [](const E& e) { return record(e.found.record); })
+      .def_property_readonly("record", [](const E& e) { return record(e.course.record); })
       .def_property_readonly("mode",
                              [](const E& e) {
-                               return e.found.mode.empty() ? py::object(py::none())
-                                                           : copied(e.found.mode);
+                               return e.mode.empty() ? py::object(py::none())
+                                                           : copied(e.mode);
                              })
       .def_property_readonly("reactions", &reactions)
       .def_property_readonly("accuracy", &accuracy)

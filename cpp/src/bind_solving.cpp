@@ -23,15 +23,16 @@ struct Known {
       frames = quaternions(given.cast<Array>(), "start");
       return;
     }
-    shape.emplace();
+    Shape known_shape;
     for (const auto& rod : given.cast<py::list>()) {
       const auto arrays = rod.cast<py::tuple>();
       RodSolution<Spatial> known;
       known.curve.positions = vectors<3>(arrays[0].cast<Array>(), "start");
       known.vertex_frames = quaternions(arrays[1].cast<Array>(), "start");
       known.curve.frames = quaternions(arrays[2].cast<Array>(), "start");
-      shape->found.rods.push_back(std::move(known));
+      known_shape.rods.push_back(std::move(known));
     }
+    shape.emplace(std::move(known_shape));
   }
 
   void start(Settings& settings) const {
@@ -101,25 +102,22 @@ struct Going {
   Solver solver;
 };
 
-/// Parts that take the place of others, with their numbers.
-template <class T>
-using Changes = std::vector<std::pair<std::size_t, T>>;
-
 /// The scene, or that of before, with these parts; from what was found last.
 std::shared_ptr<Equilibrium> solve_changed(Solver& solver, const Solver* given,
-                                           const Changes<const GivenRod*>& rods,
-                                           const Changes<Support>& supports,
-                                           const Changes<Joint>& joints, const Changes<Load>& loads,
-                                           const Options& options, std::optional<double> tol,
-                                           bool stable, bool eigenvalue) {
-  Scene scene = given ? given->scene() : solver.scene();
-  for (const auto& [i, rod] : rods) scene.rods.at(i) = rod->spec;
-  for (const auto& [i, support] : supports) scene.supports.at(i) = support;
-  for (const auto& [i, joint] : joints) scene.joints.at(i) = joint;
-  for (const auto& [i, load] : loads) scene.loads.at(i) = load;
+                                           const Changes::Of<const GivenRod*>& rods,
+                                           const Changes::Of<Support>& supports,
+                                           const Changes::Of<Joint>& joints,
+                                           const Changes::Of<Load>& loads, const Options& options,
+                                           std::optional<double> tol, bool stable,
+                                           bool eigenvalue) {
+  Changes changes{{}, supports, joints, loads};
+  for (const auto& [i, rod] : rods) changes.rods.emplace_back(i, rod->spec);
   Settings settings = settings_of(options, tol, stable, eigenvalue);
   settings.trace = python_interrupt();
   const py::gil_scoped_release release;
+  if (!given) return std::make_shared<Equilibrium>(solver.solve(changes, settings));
+  Scene scene = given->scene();
+  changes.apply(scene);
   return std::make_shared<Equilibrium>(solver.solve(std::move(scene), settings));
 }
 
@@ -175,9 +173,9 @@ void solving(py::module_& module, py::class_<Solver>& scene) {
       .def(py::init([](const Solver& scene) { return Going{scene}; }), py::arg("scene"))
       .def(
           "solve",
-          [](Going& going, const Solver* scene, const Changes<const GivenRod*>& rods,
-             const Changes<Support>& supports, const Changes<Joint>& joints,
-             const Changes<Load>& loads, const Options& options, std::optional<double> tol,
+          [](Going& going, const Solver* scene, const Changes::Of<const GivenRod*>& rods,
+             const Changes::Of<Support>& supports, const Changes::Of<Joint>& joints,
+             const Changes::Of<Load>& loads, const Options& options, std::optional<double> tol,
              bool stable, bool eigenvalue) {
             return solve_changed(going.solver, scene, rods, supports, joints, loads, options, tol,
                                  stable, eigenvalue);

@@ -14,7 +14,7 @@ int main() {
   const auto [force, moment] = found.balance();
   std::cout << name(found.status()) << ", index " << found.index() << ", energy " << found.energy()
             << " J, largest moment " << found.rod().largest.moment << " N m, the far clamp exerts ("
-            << found.reactions[1].force.transpose() << ") N\n";
-  return found.stable() && found.found.lowest_eigenvalue > 0 && force < 1e-9 && moment < 1e-9 ? 0
+            << found.reactions()[1].force.transpose() << ") N\n";
+  return found.stable() && found.course.lowest_eigenvalue > 0 && force < 1e-9 && moment < 1e-9 ? 0
                                                                                               : 1;
 }

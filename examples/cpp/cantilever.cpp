@@ -13,7 +13,7 @@ int main() {
     const Equilibrium bent = solve(Scene({rod}, {Clamp{}}, {Force{{10, 0, 0}}}, Dimension::planar));
     const double before = error;
     error = (bent.tip() - exact).norm();
-    std::cout << edges << " edges: " << name(bent.status()) << " in " << bent.found.record.size()
+    std::cout << edges << " edges: " << name(bent.status()) << " in " << bent.course.record.size()
               << " iterations, error " << error << ", " << before / error << " times smaller\n";
     if (!bent.converged()) return 1;
   }

@@ -14,7 +14,7 @@ int main() {
   const Vec3 across = rotate(found.tip_frame(), Vec3::UnitX());
   std::cout << name(found.status()) << ", index " << found.index() << ", tip ("
             << found.tip().transpose() << "), the clamp exerts ("
-            << found.reactions[0].force.transpose() << ")\n";
-  const bool balanced = (found.reactions[0].force + 4 * across).norm() < 0.02;  // the grid's error
+            << found.reactions()[0].force.transpose() << ")\n";
+  const bool balanced = (found.reactions()[0].force + 4 * across).norm() < 0.02;  // the grid's error
   return found.converged() && found.index() == -1 && balanced ? 0 : 1;
 }

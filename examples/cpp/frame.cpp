@@ -21,8 +21,8 @@ int main() {
   const Equilibrium found = solve(portal, {.tol = 1e-7});
   const auto [force, moment] = found.balance();
   std::cout << name(found.status()) << ", the corner comes to (" << found.tip(0).transpose()
-            << "), feet carry (" << found.reactions[0].force.transpose() << ") and ("
-            << found.reactions[1].force.transpose() << ")\n";
-  const Vec3 sum = found.reactions[0].force + found.reactions[1].force + Vec3(2, 0.5, -1);
+            << "), feet carry (" << found.reactions()[0].force.transpose() << ") and ("
+            << found.reactions()[1].force.transpose() << ")\n";
+  const Vec3 sum = found.reactions()[0].force + found.reactions()[1].force + Vec3(2, 0.5, -1);
   return found.stable() && sum.norm() < 1e-9 && force < 1e-9 && moment < 1e-9 ? 0 : 1;
 }

@@ -35,10 +35,10 @@ int main() {
 
   const Equilibrium found = solve(shell);
   double top = 0;
-  for (const auto& rod : found.found.rods)
+  for (const auto& rod : found.rods())
     for (const Vec3& r : rod.curve.positions) top = std::max(top, r.z());
-  std::cout << name(found.status()) << " in " << found.found.record.size() << " iterations, "
-            << found.found.unknowns << " unknowns, index " << found.index() << ", " << top
+  std::cout << name(found.status()) << " in " << found.course.record.size() << " iterations, "
+            << found.course.unknowns << " unknowns, index " << found.index() << ", " << top
             << " m high\n";
   return found.stable() && top > 0.3 ? 0 : 1;
 }

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     if (!found.converged()) return std::cerr << found.advice() << '\n', 1;
     tip = found.tip();
     worst = std::max(worst, (tip - target).norm());
-    residual = std::max(residual, found.found.residual);
+    residual = std::max(residual, found.course.residual);
   }
 
   std::ranges::sort(times);

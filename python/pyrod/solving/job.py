@@ -12,7 +12,6 @@ from pyrod.base.immutable import lazily
 from pyrod.result.accuracy import accuracy_of, checked_tolerance
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.rods import RodEquilibrium
-from pyrod.rod.rod import Rod
 from pyrod.rotation import as_frames
 from pyrod.scene.scene import Scene
 
@@ -65,13 +64,12 @@ def equilibrium_of(
         found,
         status=found.status,
         scene=scene,
-        rods=tuple(map(_rod_equilibrium, scene.rods, found.rods)),
+        rods=tuple(
+            [lazily(RodEquilibrium, found.rod(i), rod=rod) for i, rod in enumerate(scene.rods)]
+        ),
         time=time,
         lowest_eigenvalue=found.lowest_eigenvalue if how.eigenvalue else None,
         accuracy=accuracy,
         choice=choice,
     )
 
-
-def _rod_equilibrium(rod: Rod, found: _core.RodSolution) -> RodEquilibrium:
-    return lazily(RodEquilibrium, found, rod=rod)

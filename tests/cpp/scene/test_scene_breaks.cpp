@@ -30,7 +30,7 @@ void agrees(const Equilibrium& found, const Vec3& tip, double moment, double tol
 
 double off(const Equilibrium& found, double place) {
   double nearest = 1;
-  for (const double s : found.made[0].grid.arc_lengths())
+  for (const double s : found.shape().made[0].grid.arc_lengths())
     nearest = std::min(nearest, std::abs(s - place));
   return nearest;
 }
@@ -84,7 +84,7 @@ TEST_CASE("a load with a step: its vertex, and all of its force") {
       CHECK(off(found, at) < 1e-12);
       CHECK((found.tip() - exact.tip()).norm() <= found.accuracy->error(Quantity::positions) +
                                                       exact.accuracy->error(Quantity::positions));
-      CHECK((found.reactions[0].force - Vec3(-5 * (1 - at), 0, 0)).norm() < 1e-9);
+      CHECK((found.reactions()[0].force - Vec3(-5 * (1 - at), 0, 0)).norm() < 1e-9);
     }
 }
 
@@ -96,10 +96,10 @@ TEST_CASE("loads on the second rod, and moments along a rod") {
                     {Joint{{Place(0, End::end), Place(1, End::start)}}});
   const auto found = solve(scene, {.tol = 1e-6});
   CHECK(found.doubts.empty());
-  CHECK(found.made[0].edges() == 8);
-  CHECK(found.made[1].edges() == 9);
-  CHECK(found.made[1].grid.s(4) == doctest::Approx(at).epsilon(1e-14));
-  CHECK((found.reactions[0].moment - Vec3(0, -at, 0)).norm() < 1e-9);
+  CHECK(found.shape().made[0].edges() == 8);
+  CHECK(found.shape().made[1].edges() == 9);
+  CHECK(found.shape().made[1].grid.s(4) == doctest::Approx(at).epsilon(1e-14));
+  CHECK((found.reactions()[0].moment - Vec3(0, -at, 0)).norm() < 1e-9);
 }
 
 TEST_CASE("breaks beside vertices that are there are these") {

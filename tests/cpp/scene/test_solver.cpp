@@ -140,8 +140,8 @@ TEST_CASE("a solver goes on with other numbers, in fewer iterations, to the same
       const auto afresh = solve(scene), again = solver.solve(scene);
       REQUIRE(again.converged());
       CHECK(apart(afresh, again) < 1e-11);
-      CHECK((afresh.reactions[0].moment - again.reactions[0].moment).norm() < 1e-9);
-      if (k > 1) CHECK(again.found.record.size() < afresh.found.record.size());
+      CHECK((afresh.reactions()[0].moment - again.reactions()[0].moment).norm() < 1e-9);
+      if (k > 1) CHECK(again.course.record.size() < afresh.course.record.size());
     }
 }
 
@@ -263,7 +263,7 @@ TEST_CASE("a solver with a tolerance goes on from its own grid") {
              again = solver.solve(held(), {.tol = 1e-6});
   REQUIRE(again.converged());
   CHECK(apart(first, again) < 1e-7);
-  CHECK(again.found.record.size() < first.found.record.size());
+  CHECK(again.course.record.size() < first.course.record.size());
 }
 
 TEST_CASE("a scene that is refused changes nothing, and copies of a solver keep what they have") {

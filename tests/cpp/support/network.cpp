@@ -92,10 +92,7 @@ template <class Space>
 Solution<Space> solved(const Network<Space>& net, const NetworkOptions& more,
                        const Options& options, const Trace& trace) {
   const Posed<Space> posed(net);
-  if constexpr (std::is_same_v<Space, Spatial>)  // which is compiled already
-    return run<Spatial>(posed, {}, options, more, trace);
-  else
-    return NetworkSolver<Space>(posed, options, more, trace).solve();
+  return told(posed, find<Space>(posed, {}, options, more, trace));
 }
 
 template <class Space>
@@ -103,20 +100,22 @@ Solution<Space> solved_from(const Network<Space>& net,
                             std::vector<typename Space::Rotation> frames) {
   const Posed<Space> posed(net);
   if constexpr (std::is_same_v<Space, Spatial>) {
-    return run<Spatial>(posed, NetworkStart{std::move(frames), {}, {}}, {}, {}, {});
+    const NetworkStart start{std::move(frames), {}, {}};
+    return told(posed, find<Spatial>(posed, start, {}, {}, {}));
   } else {
     require_frames(frames, posed.layout().edges(), "start");
     auto start = Start<Space>(posed.layout()).state();
     start.frames = std::move(frames);
     const Trace untraced;
-    return NetworkSolver<Space>(posed, {}, {}, untraced).solve(std::move(start));
+    return told(posed, NetworkSolver<Space>(posed, {}, {}, untraced).find(std::move(start)));
   }
 }
 
 template <class Space>
 Solution<Spatial> run_in(const Network<Spatial>& net, const Placement<Spatial>& at,
                          const std::optional<NetworkStart>& start, const NetworkOptions& more) {
-  return run<Space>(Posed<Space>(net, at), start, {}, more, {});
+  const Posed<Space> posed(net, at);
+  return posed.in_space(told(posed, find<Space>(posed, start, {}, more, {})));
 }
 
 #define INSTANTIATE(Space)                                                                      \

@@ -35,6 +35,7 @@ void require(bool condition, const T&... message) {
 /// Every entry of `values` is a finite number; otherwise the message names the first that is not.
 template <class Derived>
 void require_finite(const Eigen::DenseBase<Derived>& values, std::string_view name) {
+  if (values.allFinite()) return;
   for (Eigen::Index i = 0; i < values.rows(); ++i)
     for (Eigen::Index k = 0; k < values.cols(); ++k)
       require(std::isfinite(values.derived()(i, k)), name, "[", i,
@@ -45,6 +46,7 @@ void require_finite(const Eigen::DenseBase<Derived>& values, std::string_view na
 template <class Derived>
 void require_positive(const Eigen::DenseBase<Derived>& values, std::string_view name) {
   require_finite(values, name);
+  if ((values.derived().array() > 0).all()) return;
   for (Eigen::Index i = 0; i < values.rows(); ++i)
     for (Eigen::Index k = 0; k < values.cols(); ++k)
       require(values.derived()(i, k) > 0, name, "[", i, "]: must be positive, got ",

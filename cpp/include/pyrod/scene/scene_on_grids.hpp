@@ -9,6 +9,7 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/arrays_on_grid.hpp>
+#include <pyrod/scene/changes.hpp>
 #include <pyrod/scene/load.hpp>
 #include <pyrod/scene/loaded_grid.hpp>
 #include <pyrod/scene/loads.hpp>
@@ -109,6 +110,15 @@ class SceneOnGrids {
   const Scene& scene() const { return scene_; }
   const Rod<Spatial>& rod(int i) const { return rods_[std::size_t(i)].rod; }
   const Loads<Spatial>& loads(int i) const { return loads_[std::size_t(i)]; }
+
+  /// Other loads, at the places of those before.
+  void change_loads(const Changes::Of<Load>& loads) {
+    for (const auto& [i, load] : loads) {
+      check_load(load, rods_);
+      scene_.loads[i] = load;
+    }
+    for (int i = 0; i < int(rods_.size()); ++i) loads_[std::size_t(i)] = acting_on(i);
+  }
 
   /// What one load alone does to a rod.
   Loads<Spatial> acting(const Load& load, int i) const {

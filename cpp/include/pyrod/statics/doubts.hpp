@@ -33,9 +33,9 @@ namespace detail {
 class StrainDoubts {
  public:
   StrainDoubts(const Equilibrium& found, int number)
-      : rod_(found.made[std::size_t(number)]),
+      : rod_(found.shape().made[std::size_t(number)]),
         strains_(found.rod(number).strains),
-        of_(found.made.size() > 1 ? text(" of rod ", number) : "") {}
+        of_(found.rods().size() > 1 ? text(" of rod ", number) : "") {}
 
   /// `turns`: neighbours that turn by more than π are told, too.
   template <class Tell>
@@ -106,8 +106,8 @@ inline std::string kept_by_rounding(const Accuracy& accuracy) {
 
 }  // namespace detail
 
-/// `stable`: whether a stable equilibrium was wanted.
-inline std::vector<Doubt> doubts_of(const Equilibrium& found, bool stable) {
+/// `stable`: whether a stable equilibrium was wanted. `strained`: there may be strains to tell of.
+inline std::vector<Doubt> doubts_of(const Equilibrium& found, bool stable, bool strained) {
   std::vector<Doubt> out;
   const auto tell = [&](Doubt::Kind kind, const auto&... words) {
     out.push_back({kind, text(words...)});
@@ -129,7 +129,7 @@ inline std::vector<Doubt> doubts_of(const Equilibrium& found, bool stable) {
            ": they are small differences of large numbers, as the stretch of a stiff member is of "
            "lengths");
   }
-  for (std::size_t i = 0; i < found.made.size(); ++i)
+  for (std::size_t i = 0; strained && i < found.rods().size(); ++i)
     detail::StrainDoubts(found, int(i)).tell(!found.accuracy, [&](const auto&... words) {
       tell(Doubt::Kind::strain, words...);
     });

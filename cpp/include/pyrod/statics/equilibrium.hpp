@@ -2,6 +2,8 @@
 /// \file The answer: a scene in equilibrium, and how it was found.
 #pragma once
 
+#include <pyrod/core/on_demand.hpp>
+#include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/space.hpp>
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,31 +54,52 @@ struct Doubt {
   std::string words;
 };
 
-/// Everything there is to know; values like any other.
-struct Equilibrium {
-  Solution<Spatial> found;
-  std::vector<Reaction> reactions;        ///< of the supports, in their order
-  std::vector<Vec3> held;                 ///< the points that they hold
-  std::vector<Rod<Spatial>> made;         ///< the rods as they were solved
+/// What there is to know of a shape in equilibrium.
+struct Shape {
+  std::vector<RodSolution<Spatial>> rods;
+  std::vector<Reaction> reactions = {};  ///< of the supports, in their order
+  std::vector<Vec3> held = {};           ///< the points that they hold
+  std::vector<Rod<Spatial>> made = {};   ///< the rods as they were solved
+};
+
+/// Everything there is to know; values like any other. The shape is worked out when it is first
+/// asked for.
+class Equilibrium {
+ public:
+  Course course;                          ///< how it was found
+  std::vector<Vec3> mode = {};            ///< of all edges, see `Solution`
   std::optional<Accuracy> accuracy = {};  ///< of a solve with a tolerance
   std::vector<Doubt> doubts = {};         ///< what one should know before trusting it
 
-  bool converged() const { return found.converged(); }
-  Status status() const { return found.status; }
-  /// What happened and what to try.
-  std::string_view advice() const { return pyrod::advice(found.status); }
-  /// Number of unstable modes; −1: the loads have no potential.
-  int index() const { return found.index; }
-  bool stable() const { return found.index == 0; }
+  Equilibrium() = default;
+  explicit Equilibrium(Shape known)
+      : shape_(std::make_shared<const OnDemand<Shape>>(std::move(known))) {}
+  Equilibrium(Course found, std::function<Shape()> shape)
+      : course(std::move(found)),
+        shape_(std::make_shared<const OnDemand<Shape>>(std::move(shape))) {}
 
-  const RodSolution<Spatial>& rod(int i = 0) const { return found.rods[std::size_t(i)]; }
+  bool converged() const { return course.converged(); }
+  Status status() const { return course.status; }
+  /// What happened and what to try.
+  std::string_view advice() const { return pyrod::advice(course.status); }
+  /// Number of unstable modes; −1: the loads have no potential.
+  int index() const { return course.index; }
+  bool stable() const { return course.index == 0; }
+
+  const Shape& shape() const {
+    require(shape_ != nullptr, "shape: nothing was solved");
+    return shape_->get();
+  }
+  const std::vector<RodSolution<Spatial>>& rods() const { return shape().rods; }
+  const RodSolution<Spatial>& rod(int i = 0) const { return rods()[std::size_t(i)]; }
   const Vec3& tip(int i = 0) const { return rod(i).curve.positions.back(); }
   const Quaternion& tip_frame(int i = 0) const { return rod(i).vertex_frames.back(); }
+  const std::vector<Reaction>& reactions() const { return shape().reactions; }
 
   /// Elastic energy [J].
   double energy() const {
     double sum = 0;
-    for (const auto& r : found.rods) sum += r.bend_twist_energy + r.stretch_shear_energy;
+    for (const auto& r : rods()) sum += r.bend_twist_energy + r.stretch_shear_energy;
     return sum;
   }
 
@@ -84,7 +108,7 @@ struct Equilibrium {
   std::pair<double, double> balance() const {
     Sum force, moment;
     double most_force = 0, most_moment = 0, length = 0;
-    for (const auto& r : found.rods) {
+    for (const auto& r : rods()) {
       for (std::size_t j = 0; j < r.load.size(); ++j) {
         force.add(r.load[j]);
         moment.add(r.curve.positions[j].cross(r.load[j]));
@@ -93,12 +117,12 @@ struct Equilibrium {
       for (const auto& n : r.force) most_force = std::max(most_force, n.norm());
       for (const auto& m : r.moment) most_moment = std::max(most_moment, m.norm());
     }
-    for (std::size_t i = 0; i < reactions.size(); ++i) {
-      force.add(reactions[i].force);
-      moment.add(held[i].cross(reactions[i].force));
-      moment.add(reactions[i].moment);
+    for (std::size_t i = 0; i < reactions().size(); ++i) {
+      force.add(reactions()[i].force);
+      moment.add(shape().held[i].cross(reactions()[i].force));
+      moment.add(reactions()[i].moment);
     }
-    for (const auto& r : made) length = std::max(length, r.grid.length());
+    for (const auto& r : shape().made) length = std::max(length, r.grid.length());
     const double F = force.sizes + most_force, M = moment.sizes + most_moment + length * F;
     return {force.sum.norm() / (F > 0 ? F : 1), moment.sum.norm() / (M > 0 ? M : 1)};
   }
@@ -109,6 +133,8 @@ struct Equilibrium {
     double sizes = 0;
     void add(const Vec3& v) { sum += v, sizes += v.norm(); }
   };
+
+  std::shared_ptr<const OnDemand<Shape>> shape_;
 };
 
 /// How to solve.

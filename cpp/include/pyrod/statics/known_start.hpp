@@ -53,7 +53,7 @@ inline Start known_start(const Settings& settings, const ReadyScene& plain,
   NetworkStart out;
   out.frames = settings.frames;
   if (settings.start)
-    for (const auto& rod : settings.start->found.rods)
+    for (const auto& rod : settings.start->rods())
       out.frames.insert(out.frames.end(), rod.curve.frames.begin(), rod.curve.frames.end());
   else if (ready.scene().rods.size() == 1)
     continue_signs(out.frames, ready);
@@ -61,7 +61,7 @@ inline Start known_start(const Settings& settings, const ReadyScene& plain,
     out.frames = std::move(more);
     return out;
   }
-  if (settings.start) return start_from(settings.start->found.rods, ready.network().network);
+  if (settings.start) return start_from(settings.start->rods(), ready.network().network);
   return out;
 }
 

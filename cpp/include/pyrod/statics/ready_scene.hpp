@@ -5,6 +5,8 @@
 
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/changes.hpp>
+#include <pyrod/scene/load.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/scene_breaks.hpp>
 #include <pyrod/scene/scene_network.hpp>
@@ -39,6 +41,15 @@ class ReadyScene {
     planar ? std::get<Levels<Spatial>>(levels_).clear() : std::get<Levels<Planar>>(levels_).clear();
     grid_ = std::move(grid);
     network_ = std::move(network);
+  }
+
+  /// The same under other loads, at the places of those before. Not while anybody uses it. If these
+  /// are refused, it must not be used any more.
+  void change_loads(const Changes::Of<Load>& loads) {
+    grid_.change_loads(loads);
+    auto& on_rods = network_.network.loads;
+    for (std::size_t i = 0; i < on_rods.size(); ++i) on_rods[i] = grid_.loads(int(i));
+    change_loads<Planar>(), change_loads<Spatial>();
   }
 
   const Scene& scene() const { return grid_.scene(); }
@@ -92,6 +103,15 @@ class ReadyScene {
     if (!coarsest || coarsest.mapped().use_count() != 1) return;
     coarsest.mapped()->change(network.network, network.plane);
     levels.insert(std::move(coarsest));
+  }
+
+  template <class Space>
+  void change_loads() {
+    auto& levels = std::get<Levels<Space>>(levels_);
+    auto coarsest = levels.extract(0);
+    levels.clear();
+    if (!coarsest || coarsest.mapped().use_count() != 1) return;
+    if (coarsest.mapped()->change_loads(network_.network.loads)) levels.insert(std::move(coarsest));
   }
 
   template <class Space>

@@ -3,14 +3,24 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/rotation/embedding.hpp>
+#include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/changes.hpp>
+#include <pyrod/scene/choice.hpp>
+#include <pyrod/scene/load.hpp>
+#include <pyrod/scene/place.hpp>
 #include <pyrod/scene/scene.hpp>
-#include <pyrod/scene/support_parts.hpp>
 #include <pyrod/statics/doubts.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/known_start.hpp>
 #include <pyrod/statics/ladder/climb.hpp>
 #include <pyrod/statics/ready_scene.hpp>
+#include <pyrod/statics/scene_shape.hpp>
+#include <pyrod/statics/solution/found.hpp>
+#include <pyrod/statics/solution/strained.hpp>
 #include <pyrod/statics/solver.hpp>
+#include <pyrod/statics/solving/network_solve.hpp>
+#include <pyrod/statics/warm_start.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -28,81 +38,73 @@ namespace detail {
 template <class S>
 class SceneSolve {
  public:
-  /// `tol`: none, for the edges as they are.
-  SceneSolve(const ReadyScene& ready, const S& settings, std::optional<double> tol)
-      : ready_(ready), settings_(settings), tol_(tol) {}
+  /// `ready`: who asks for the shape later still needs it. `tol`: none, for the edges as they are.
+  SceneSolve(std::shared_ptr<const ReadyScene> ready, const S& settings, std::optional<double> tol)
+      : ready_(std::move(ready)), settings_(settings), tol_(tol) {}
 
-  Equilibrium solve(const Start& start) const {
-    if (start) require_frames(start->frames, ready_.edges(), "start");
-    Equilibrium out;
-    out.made = network().network.rods;
-    in_space(scene().space, [&]<class Space>(Space) {
-      if (tol_)
-        climb<Space>(start, out);
-      else
-        out.found = run<Space>(*ready_.template posed<Space>(), start, settings_.options, more(),
-                               settings_.trace);
+  /// `reached`: from where to start, if that fits, and where that led to; else from `start()`.
+  template <class GetStart>
+  Equilibrium solve(const GetStart& start, WarmStart* reached) const {
+    return in_space(ready_->scene().space, [&]<class Space>(Space) {
+      if (tol_) return climb<Space>(start());
+      const auto posed = ready_->template posed<Space>();
+      const auto found = std::make_shared<const Found<Space>>(this->find(*posed, start, reached));
+      if (reached && found->converged()) *reached = WarmStart(found, posed->here());
+      return equilibrium<Space>(posed, found);
     });
-    react(out);
-    refuse_drift(out);
-    out.doubts = doubts_of(out, settings_.stable);
-    return out;
   }
 
  private:
-  const Scene& scene() const { return ready_.scene(); }
-  const SceneNetwork& network() const { return ready_.network(); }
+  template <class Space, class GetStart>
+  Found<Space> find(const Posed<Space>& posed, const GetStart& start, const WarmStart* warm) const {
+    if (warm)
+      if (auto near = warm->state(posed))
+        return find_near<Space>(posed, std::move(*near), settings_.options, more(),
+                                settings_.trace);
+    return pyrod::find<Space>(posed, start(), settings_.options, more(), settings_.trace);
+  }
+
+  /// Its shape is told when it is asked for.
+  template <class Space>
+  Equilibrium equilibrium(const std::shared_ptr<const Posed<Space>>& posed,
+                          const std::shared_ptr<const Found<Space>>& found) const {
+    Equilibrium out(*found, [ready = ready_, posed, found] {
+      return shape_of(*ready, posed->in_space(told(*posed, *found)));
+    });
+    for (const auto& φ : found->mode) out.mode.push_back(embed_spin(φ));
+    return checked(std::move(out), Strained<Space>(posed->problem(), found->state).perhaps());
+  }
 
   template <class Space>
-  void climb(const Start& start, Equilibrium& out) const {
-    const auto levels = [this](int level) { return ready_.template posed<Space>(level); };
+  Equilibrium climb(const Start& start) const {
+    const auto levels = [this](int level) { return ready_->template posed<Space>(level); };
     auto climbed = pyrod::climb<Space>(
-        levels, out.made, ready_.corners(), start,
+        levels, ready_->network().network.rods, ready_->corners(), start,
         {*tol_, settings_.options, more(), settings_.trace, settings_.progress});
-    out.found = std::move(climbed.solution);
-    const auto& [unresolved, reason] = ready_.smoothness();
+    auto mode = std::move(climbed.solution.mode);
+    Course course = climbed.solution;
+    const auto& [unresolved, reason] = ready_->smoothness();
+    Equilibrium out(std::move(course),
+                    [ready = ready_, solution = std::move(climbed.solution)]() mutable {
+                      return shape_of(*ready, std::move(solution));
+                    });
+    out.mode = std::move(mode);
     out.accuracy = Accuracy{*tol_, climbed.reached, reason, unresolved};
+    return checked(std::move(out), true);
   }
 
   NetworkOptions more() const {
     return {.stable = settings_.stable, .eigenvalue = settings_.eigenvalue};
   }
 
-  void react(Equilibrium& out) const {
-    for (std::size_t i = 0; i < scene().supports.size(); ++i) {
-      const auto& at = place_of(scene().supports[i]);
-      const auto& rod = out.found.rods[std::size_t(at.rod)];
-      out.held.push_back(rod.curve.positions[std::size_t(ready_.grid().vertex(at))]);
-      const auto& node = out.found.nodes[std::size_t(network().support_nodes[i])];
-      out.reactions.push_back({node.reaction_force, node.reaction_moment});
-    }
+  /// With all doubts; refuses what drifts. `look`: strains may be beyond what they mean.
+  Equilibrium checked(Equilibrium&& out, bool look) const {
+    refuse_drift(*ready_, out);
+    out.doubts = doubts_of(out, settings_.stable, look);
+    return std::move(out);
   }
 
-  /// Forces that follow the rods, in directions in which nothing holds these: no equilibrium. Of
-  /// dead forces it is known before the solve.
-  void refuse_drift(const Equilibrium& out) const {
-    if (!out.converged() || !scene().has_followers()) return;
-    Vec3 left = Vec3::Zero();
-    double sizes = 0, rounding = 0;
-    for (const auto& rod : out.made) {
-      const double L = rod.grid.length();
-      for (const auto& C : rod.bending)
-        rounding = std::max(rounding, 1e-13 * C.maxCoeff() / (L * L));
-    }
-    const auto act = [&](const Vec3& F) { left += F, sizes += F.norm(); };
-    for (const auto& rod : out.found.rods)
-      for (const auto& F : rod.load) act(F);
-    for (const auto& reaction : out.reactions) act(reaction.force);
-    for (std::size_t i = 0; i < out.reactions.size(); ++i) {
-      const auto& node = network().network.nodes[std::size_t(network().support_nodes[i])];
-      if (node.spring == 0) left -= node.free * (node.free.transpose() * out.reactions[i].force);
-    }
-    require(left.norm() <= 1e-6 * sizes + rounding,
-            "supports: nothing holds the rods against the force ", left.transpose(),
-            " of the loads that follow them; hold a point of them");
-  }
-
-  const ReadyScene& ready_;
+  std::shared_ptr<const ReadyScene> ready_;
   const S& settings_;
   std::optional<double> tol_;
 };
@@ -119,13 +121,52 @@ struct SceneSolver<S>::Parts {
   explicit Parts(Scene scene)
       : given(std::move(scene)), plain(with_vertices_at_places(given, false)) {}
 
-  /// Other numbers, in what nobody else uses.
+  /// Other numbers, in what nobody else uses. If they are refused, it must not be used any more.
   void change(Scene scene) {
     plain.change(with_vertices_at_places(scene, false));
     given = std::move(scene);
     once = std::make_unique<std::once_flag>();
     climbing.reset();
   }
+
+  void change(const Changes& changes) {
+    if (!changes.of_loads_only() || !std::ranges::all_of(changes.loads, [this](const auto& one) {
+          return keeps_vertices(one.first, one.second);
+        })) {
+      Scene scene = given;
+      changes.apply(scene);
+      return change(std::move(scene));
+    }
+    changes.apply(given);
+    plain.change_loads(changes.loads);
+    once = std::make_unique<std::once_flag>();
+    climbing.reset();
+  }
+
+ private:
+  /// Whether a load does not ask for other vertices, and need not be made one on them.
+  bool keeps_vertices(std::size_t i, const Load& load) const {
+    if (i >= given.loads.size()) return false;
+    const auto lists = [](const Load& one) {
+      bool any = false;
+      visit_along(one, [&](const Along<Vec3>& values, int, const char*) {
+        any = any || std::holds_alternative<std::vector<Vec3>>(values);
+      });
+      return any;
+    };
+    if (lists(load) || lists(given.loads[i])) return false;
+    const auto *now = point_of(load), *before = point_of(given.loads[i]);
+    return (!now && !before && rod_of(load) == rod_of(given.loads[i])) ||
+           (now && before && *now == *before);
+  }
+};
+
+/// What was found after a change, the full turns that were put in, and the edges of the rods.
+template <std::same_as<Settings> S>
+struct SceneSolver<S>::Last {
+  Equilibrium found;
+  WarmStart state;  ///< on the edges as they are
+  std::vector<int> turns, edges;
 };
 
 template <std::same_as<Settings> S>
@@ -159,21 +200,54 @@ std::optional<double> SceneSolver<S>::tolerance(const S& settings) const {
 
 template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve(const S& settings) const {
+  return solve(settings, nullptr);
+}
+
+template <std::same_as<Settings> S>
+Equilibrium SceneSolver<S>::solve(const S& settings, WarmStart* reached) const {
   const auto tol = tolerance(settings);
   if (tol) require(*tol > 0 && *tol <= 0.1, "tol: must be a number in (0, 0.1], got ", *tol);
   settings.options.check();
-  const ReadyScene& ready = tol ? climbing() : plain();
-  return detail::SceneSolve<S>(ready, settings, tol)
-      .solve(detail::known_start(settings, plain(), ready));
+  const std::shared_ptr<const ReadyScene> ready(parts_, tol ? &climbing() : &plain());
+  const auto start = [&] {
+    auto known = detail::known_start(settings, plain(), *ready);
+    if (known) require_frames(known->frames, ready->edges(), "start");
+    return known;
+  };
+  return detail::SceneSolve<S>(ready, settings, tol).solve(start, reached);
 }
 
 template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
   auto next = std::move(spare_);
+  behind_.reset();
   if (next.use_count() == 1)
     next->change(std::move(changed));
   else  // there is none yet, or copies have it
     next = std::make_shared<Parts>(std::move(changed));
+  return solve_next(std::move(next), settings);
+}
+
+template <std::same_as<Settings> S>
+Equilibrium SceneSolver<S>::solve(const Changes& changes, const S& settings) {
+  auto next = std::move(spare_);
+  const auto behind = std::exchange(behind_, std::nullopt);
+  if (behind && next.use_count() == 1) {
+    Changes all = *behind;
+    all.add(changes);
+    next->change(all);
+  } else {
+    Scene scene = parts_->given;
+    changes.apply(scene);
+    next = std::make_shared<Parts>(std::move(scene));
+  }
+  auto found = solve_next(std::move(next), settings);
+  behind_ = changes;
+  return found;
+}
+
+template <std::same_as<Settings> S>
+Equilibrium SceneSolver<S>::solve_next(std::shared_ptr<Parts> next, const S& settings) {
   std::swap(parts_, next);
   try {
     auto found = solve_from_last(settings);
@@ -189,25 +263,36 @@ Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
 template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve_from_last(const S& settings) {
   S from = settings;
-  if (!settings.start && settings.frames.empty() && last_ && fits(*last_, settings))
+  WarmStart reached;
+  const bool warm = !settings.start && settings.frames.empty() && last_ && fits(*last_, settings);
+  const bool climbs = tolerance(settings).has_value();
+  if (warm) {
     from.start = &last_->found;
-  Equilibrium found = std::as_const(*this).solve(from);
-  if (from.start != settings.start && !found.converged() && found.status() != Status::interrupted)
-    found = std::as_const(*this).solve(settings);
-  if (found.converged()) last_ = Last{found, turns()};
+    if (!climbs) reached = last_->state;
+  }
+  Equilibrium found = std::as_const(*this).solve(from, &reached);
+  if (warm && !found.converged() && found.status() != Status::interrupted) {
+    reached = {};
+    found = std::as_const(*this).solve(settings, &reached);
+  }
+  if (found.converged())
+    last_ = std::make_shared<const Last>(
+        Last{found, reached, turns(), edges_of(climbs ? climbing() : plain())});
   return found;
 }
 
 template <std::same_as<Settings> S>
 bool SceneSolver<S>::fits(const Last& last, const S& settings) const {
-  const auto on = [&](const ReadyScene& ready) {
-    return std::ranges::equal(ready.network().network.rods, last.found.found.rods,
-                              [](const auto& rod, const auto& solved) {
-                                return rod.edges() == int(solved.curve.frames.size());
-                              });
-  };
   // full turns are in the shape alone: no equation tells how many there are
-  return last.turns == turns() && (on(plain()) || (tolerance(settings) && on(climbing())));
+  return last.turns == turns() && (last.edges == edges_of(plain()) ||
+                                   (tolerance(settings) && last.edges == edges_of(climbing())));
+}
+
+template <std::same_as<Settings> S>
+std::vector<int> SceneSolver<S>::edges_of(const ReadyScene& ready) {
+  std::vector<int> out;
+  for (const auto& rod : ready.network().network.rods) out.push_back(rod.edges());
+  return out;
 }
 
 template <std::same_as<Settings> S>

@@ -2,6 +2,7 @@
 /// \file A scene to be solved, once or again and again.
 #pragma once
 
+#include <pyrod/scene/changes.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 
@@ -13,6 +14,7 @@
 namespace pyrod {
 
 class ReadyScene;
+class WarmStart;
 
 /// Keeps what does not depend on how a scene is solved: its grids, network, and finer grids. It may
 /// be copied, and used by several threads at once.
@@ -32,6 +34,9 @@ class SceneSolver {
   /// nothing. Not for several threads at once: each takes a copy.
   Equilibrium solve(Scene changed, const S& settings = {});
 
+  /// The same with some parts in the place of others. Other loads at the same places cost least.
+  Equilibrium solve(const Changes& changes, const S& settings = {});
+
   /// The scene as it was given last.
   const Scene& scene() const;
   /// The scene as it is solved without a tolerance: with vertices where rods are held and joined.
@@ -41,19 +46,19 @@ class SceneSolver {
 
  private:
   struct Parts;
-  /// What was found after a change, and the full turns that were put in.
-  struct Last {
-    Equilibrium found;
-    std::vector<int> turns;
-  };
+  struct Last;
   bool fits(const Last& last, const S& settings) const;
   std::vector<int> turns() const;
+  static std::vector<int> edges_of(const ReadyScene& ready);
   std::optional<double> tolerance(const S& settings) const;
+  Equilibrium solve(const S& settings, WarmStart* reached) const;
+  Equilibrium solve_next(std::shared_ptr<Parts> next, const S& settings);
   Equilibrium solve_from_last(const S& settings);
 
   std::shared_ptr<Parts> parts_;
   std::shared_ptr<Parts> spare_;  ///< those of the scene before, whose numbering the next one takes
-  std::optional<Last> last_;
+  std::optional<Changes> behind_;  ///< by which those are behind, if that is known
+  std::shared_ptr<const Last> last_;
 };
 
 using Solver = SceneSolver<Settings>;

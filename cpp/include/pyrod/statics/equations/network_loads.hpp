@@ -24,6 +24,12 @@ class NetworkLoads {
   static constexpr int dim = Space::dim, spin = Space::spin;
 
   explicit NetworkLoads(const Layout<Space>& layout) : layout_(layout), net_(layout.network()) {
+    renew();
+  }
+
+  /// The loads of the layout have changed.
+  void renew() {
+    follows_ = moments_ = false;
     for (const auto& loads : net_.loads) {
       follows_ = follows_ || !loads.follower_forces.empty() || !loads.follower_moments.empty() ||
                  !loads.follower_end_moment.isZero(0);

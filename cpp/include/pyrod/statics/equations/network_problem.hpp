@@ -37,6 +37,9 @@ class NetworkProblem {
 
   const Layout<Space>& layout() const { return layout_; }
 
+  /// The loads of the layout have changed.
+  void renew_loads() { loads_.renew(); }
+
   /// Lets only a part of all loads act, or of the forces and of the moments.
   void load(double part) { load(part, part); }
   void load(double forces, double moments) { loads_.load(forces, moments); }

@@ -10,6 +10,7 @@
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/options.hpp>
+#include <pyrod/statics/solution/found.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
 #include <pyrod/statics/solution/solution.hpp>
 #include <pyrod/statics/solving/network_options.hpp>
@@ -47,16 +48,16 @@ class Levels {
                           const Options& options, NetworkOptions more, const Trace& trace) {
     more.rounding = true;
     more.anchored = from_below && neutral_;
-    more.stride = 1 << level;
     const auto posed = source_(level);
     check(posed->network(), level);
     begin(level, from_below, start);
     NetworkSolver<Space> solver(*posed, options, more, trace);
-    auto found = solved(solver, *posed, from_below);
+    auto reached = solved(solver, *posed, from_below);
+    auto found = told(*posed, reached, 1 << level);
     if (level == 0) move_to_origin(found);
     grids_.clear();
     for (const auto& rod : posed->network().rods) grids_.push_back(rod.grid);
-    below_ = solver.state();
+    below_ = std::move(reached.state);
     neutral_ = found.neutral;
     if (!found.mode.empty()) found.mode = thinned(found.mode, 1 << level);
     auto out = posed->in_space(std::move(found));
@@ -82,10 +83,10 @@ class Levels {
       require_level(network.attachments[i].vertex, attached_[i], level, "for an attached vertex");
   }
 
-  Solution<Space> solved(NetworkSolver<Space>& solver, const Posed<Space>& posed, bool from_below) {
+  Found<Space> solved(NetworkSolver<Space>& solver, const Posed<Space>& posed, bool from_below) {
     const StateNear<Space> near(posed.layout(), posed.here(), posed.network().nodes.size());
-    if (from_below) return solver.solve(near.state(refined()));
-    return given_ ? solver.solve(near.state(*given_)) : solver.solve();
+    if (from_below) return solver.find(near.state(refined()));
+    return given_ ? solver.find(near.state(*given_)) : solver.find();
   }
 
   /// The start of this level. One that was given goes along on every level, in case all below fail.

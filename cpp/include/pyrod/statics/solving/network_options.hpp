@@ -8,7 +8,6 @@ struct NetworkOptions {
   bool stable = true;       ///< look for a minimum: leave saddles along their unstable modes
   bool eigenvalue = false;  ///< find the lowest eigenvalue at the solution
   bool rounding = false;    ///< tell what rounding may do
-  int stride = 1;           ///< what is told, see `Recovery`
   bool anchored = false;    ///< of equilibria of equal energy find the one nearest to the start
 };
 

@@ -8,6 +8,7 @@
 #include <pyrod/solve/iteration.hpp>
 #include <pyrod/solve/options.hpp>
 #include <pyrod/solve/status.hpp>
+#include <pyrod/statics/solution/found.hpp>
 #include <pyrod/statics/solution/recovery.hpp>
 #include <pyrod/statics/solution/solution.hpp>
 #include <pyrod/statics/solving/grid_solve.hpp>
@@ -43,7 +44,7 @@ class NetworkSolver {
         trace_(std::move(trace)) {}
 
   /// From the shapes that `ClampedStart` and `Start` make.
-  Solution<Space> solve() {
+  Found<Space> find() {
     if (layout_.determinate() && posed_.problem().dead_loads())
       solve_clamped();
     else
@@ -51,15 +52,12 @@ class NetworkSolver {
     return finished();
   }
 
-  /// From a state that is trusted to be near.
-  Solution<Space> solve(State start) {
+  /// From a state that is trusted to be near; `forces`: so are its section forces.
+  Found<Space> find(State start, bool forces = false) {
     on_finest(options_,
-              [&](auto& grid) { grid.solve(std::move(start), Hessian::exact, false, true); });
+              [&](auto& grid) { grid.solve(std::move(start), Hessian::exact, false, !forces); });
     return finished();
   }
-
-  /// That was reached.
-  const State& state() const { return search_.state; }
 
  private:
   static constexpr int patience = 30;  ///< iterations under moments that have no potential
@@ -128,16 +126,15 @@ class NetworkSolver {
            (search_.converged() && (search_.found.index <= 0 || !more_.stable));
   }
 
-  Solution<Space> finished() {
+  Found<Space> finished() {
     auto& status = search_.found.status;
     if (int(search_.state.frames.size()) != layout_.edges())
       search_.state = Start<Space>(layout_).state();
     if (!search_.converged() && !search_.interrupted() && status != Status::taut &&
         largest_turn() > 2.5)
       status = Status::too_coarse;
-    Solution<Space> out = std::move(search_.found);
-    Recovery<Space>(posed_.problem(), search_.state, more_.stride).fill(out);
-    return out;
+    return {static_cast<Course&&>(search_.found), std::move(search_.state),
+            std::move(search_.found.mode)};
   }
 
   /// Between neighbouring edges [rad].
@@ -160,15 +157,29 @@ class NetworkSolver {
   Search<Space> search_;
 };
 
-/// In the plane or in space, with the results in space. `start`: a shape that is trusted to be
-/// near; none: see `Start`.
+/// What was found says this, see `Recovery` for the stride.
 template <class Space>
-Solution<Spatial> run(const Posed<Space>& posed, const std::optional<NetworkStart>& start,
-                      const Options& options, const NetworkOptions& more, const Trace& trace) {
+Solution<Space> told(const Posed<Space>& posed, const Found<Space>& found, int stride = 1) {
+  Solution<Space> out{found, {}, {}, found.mode};
+  Recovery<Space>(posed.problem(), found.state, stride).fill(out);
+  return out;
+}
+
+/// From a state whose section forces are known, too.
+template <class Space>
+Found<Space> find_near(const Posed<Space>& posed, NetworkState<Space> start, const Options& options,
+                       const NetworkOptions& more, const Trace& trace) {
+  return NetworkSolver<Space>(posed, options, more, trace).find(std::move(start), true);
+}
+
+/// In the plane or in space. `start`: a shape that is trusted to be near; none: see `Start`.
+template <class Space>
+Found<Space> find(const Posed<Space>& posed, const std::optional<NetworkStart>& start,
+                  const Options& options, const NetworkOptions& more, const Trace& trace) {
   NetworkSolver<Space> solver(posed, options, more, trace);
-  if (!start) return posed.in_space(solver.solve());
+  if (!start) return solver.find();
   const StateNear<Space> near(posed.layout(), posed.here(), posed.network().nodes.size());
-  return posed.in_space(solver.solve(near.state(*start)));
+  return solver.find(near.state(*start));
 }
 
 }  // namespace pyrod

@@ -3,17 +3,21 @@
 #pragma once
 
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 #include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/loads.hpp>
 #include <pyrod/scene/network.hpp>
 #include <pyrod/scene/placement.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
 #include <pyrod/statics/solution/solution.hpp>
 #include <pyrod/statics/start/coarsening.hpp>
+#include <pyrod/statics/start/restricted.hpp>
 #include <pyrod/statics/start/restricted_network.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <mutex>
@@ -53,6 +57,10 @@ class Posed {
   /// The same network with other numbers: places, lengths, stiffnesses, curvatures, loads. Not
   /// while anybody uses it.
   void change(const Network<Spatial>& network, const Placement<Spatial>& at);
+
+  /// The same under other loads. Not while anybody uses it. False, and nothing has changed, where
+  /// these decide more than numbers, see `KnownForces`.
+  bool change_loads(const std::vector<Loads<Spatial>>& loads);
 
   /// As it was given: what the layout makes of it has units of its own, and nodes at free ends.
   const Network<Space>& network() const { return given_; }
@@ -138,6 +146,24 @@ void Posed<Space>::change(const Network<Spatial>& network, const Placement<Spati
   problem_.emplace(layout_);
   if constexpr (!std::is_same_v<Space, Spatial>) here_ = at;
   finest_ = std::make_unique<Finest>();
+}
+
+template <class Space>
+bool Posed<Space>::change_loads(const std::vector<Loads<Spatial>>& loads) {
+  std::vector<Loads<Space>> here;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if constexpr (std::is_same_v<Space, Spatial>)
+      here.push_back(loads[i]);
+    else
+      here.push_back(restricted<Space>(loads[i], here_.frame));
+    here[i].check(given_.rods[i].edges());
+  }
+  auto given = here;
+  if (!layout_.take_loads(here)) return false;
+  given_.loads = std::move(given);
+  problem_->renew_loads();
+  finest_ = std::make_unique<Finest>();
+  return true;
 }
 
 }  // namespace pyrod

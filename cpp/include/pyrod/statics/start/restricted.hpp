@@ -20,6 +20,8 @@ namespace pyrod {
 template <class Space>
 Rod<Space> restricted(const Rod<Spatial>& rod) {
   Rod<Space> out{rod.grid, {}, {}, {}};
+  out.bending.reserve(rod.bending.size()), out.K0.reserve(rod.K0.size());
+  out.stretching.reserve(rod.stretching.size());
   for (const auto& C : rod.bending) out.bending.push_back(restrict_spin<Space>(C));
   for (const auto& C : rod.stretching) out.stretching.push_back(restrict_point<Space>(C));
   for (std::size_t j = 0; j < rod.K0.size(); ++j) {
@@ -59,9 +61,11 @@ template <class Space>
 Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   loads.check();
   double scale = 0;
-  for (const auto& F : loads.force) scale = std::max(scale, F.norm());
+  for (const auto& F : loads.force)
+    if (F != Vec3::Zero()) scale = std::max(scale, F.norm());
   double spin_scale = std::max(loads.end_moment.norm(), loads.start_moment.norm());
-  for (const auto& m : loads.moment) spin_scale = std::max(spin_scale, m.norm());
+  for (const auto& m : loads.moment)
+    if (m != Vec3::Zero()) spin_scale = std::max(spin_scale, m.norm());
   for (const auto& c : loads.vertex_moments)  // which may cancel on the edges
     if (!c.follows) spin_scale = std::max(spin_scale, c.moment.norm());
 
@@ -82,8 +86,10 @@ Loads<Space> restricted(const Loads<Spatial>& loads, const Quaternion& frame) {
   };
   for (const auto& f : loads.shares) out.shares.push_back(point(f));
   for (const auto& f : loads.follower_shares) out.follower_shares.push_back(in_plane<Space>(f));
-  for (std::size_t j = 0; j < loads.force.size(); ++j) out.force[j] = point(loads.force[j]);
-  for (std::size_t j = 0; j < loads.moment.size(); ++j) out.moment[j] = spin(loads.moment[j]);
+  for (std::size_t j = 0; j < loads.force.size(); ++j)
+    if (loads.force[j] != Vec3::Zero()) out.force[j] = point(loads.force[j]);
+  for (std::size_t j = 0; j < loads.moment.size(); ++j)
+    if (loads.moment[j] != Vec3::Zero()) out.moment[j] = spin(loads.moment[j]);
   out.end_moment = spin(loads.end_moment);
   out.start_moment = spin(loads.start_moment);
   for (const auto& f : loads.follower_forces)

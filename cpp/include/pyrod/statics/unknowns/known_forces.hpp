@@ -13,8 +13,10 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace pyrod {
@@ -36,6 +38,17 @@ class KnownForces {
   /// The network, in whose spans only what is not told is open.
   const Spans<Space>& cut() const { return cut_; }
   Spans<Space>& cut() { return cut_; }
+
+  /// Other loads; false, and nothing has changed, where they decide more than numbers: what nodes
+  /// feel, or whether what nothing holds stays where it is.
+  bool take_loads(std::vector<Loads<Space>>& loads) {
+    const auto on_nodes = [](const auto& one) { return !one.vertex_moments.empty(); };
+    if (drifts_ || std::ranges::any_of(loads, on_nodes) ||
+        std::ranges::any_of(cut_.network.loads, on_nodes))
+      return false;
+    cut_.network.loads = std::move(loads);
+    return true;
+  }
 
   /// The dead loads on the vertices.
   VertexForces<Space> dead_forces() const {
@@ -107,6 +120,7 @@ class KnownForces {
           drift = detail::without<dim>(drift, detail::without<dim>(Mat<dim>::Identity(), free));
       }
       if (drift.cols() == 0) continue;
+      drifts_ = true;
       for (const auto& span : cut_.spans)
         if (part[span.start] == p) act(inside(span, dead));
       const Point<Space> unbalanced = drift * (drift.transpose() * sum);
@@ -195,6 +209,7 @@ class KnownForces {
   Spans<Space> cut_;
   std::vector<char> derived_;
   std::vector<Step> steps_;
+  bool drifts_ = false;  ///< a part that nothing holds along some direction
 };
 
 }  // namespace pyrod

@@ -30,6 +30,9 @@ class Layout {
   /// the unknowns are numbered.
   Layout(Network<Space> network, Layout&& like);
 
+  /// See `KnownForces`.
+  bool take_loads(std::vector<Loads<Space>>& loads) { return known_.take_loads(loads); }
+
   const KnownForces<Space>& known() const { return known_; }
   const Network<Space>& network() const { return known_.cut().network; }
   const std::vector<Span<Space>>& spans() const { return known_.cut().spans; }
