@@ -5,8 +5,13 @@
 #include <pyrod/core/parallel.hpp>
 #include <pyrod/statics/solver.hpp>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <concepts>
+#include <iterator>
+#include <tuple>
 
 namespace pyrod::bind {
 
@@ -108,8 +113,8 @@ std::shared_ptr<Equilibrium> solve_changed(Solver& solver, const Solver* given,
                                            const Changes::Of<Support>& supports,
                                            const Changes::Of<Joint>& joints,
                                            const Changes::Of<Load>& loads, const Options& options,
-                                           std::optional<double> tol, bool stable,
-                                           bool eigenvalue) {
+                                           bool stable, bool eigenvalue,
+                                           std::optional<double> tol) {
   Changes changes{{}, supports, joints, loads};
   for (const auto& [i, rod] : rods) changes.rods.emplace_back(i, rod->spec);
   Settings settings = settings_of(options, tol, stable, eigenvalue);
@@ -119,6 +124,70 @@ std::shared_ptr<Equilibrium> solve_changed(Solver& solver, const Solver* given,
   Scene scene = given->scene();
   changes.apply(scene);
   return std::make_shared<Equilibrium>(solver.solve(std::move(scene), settings));
+}
+
+/// Whether of a load, else of a support; its number, an entry, and a component, −1: all.
+using Entry = std::tuple<bool, std::size_t, std::string_view, int>;
+
+/// A new value of a vector, or of one of its components.
+void set(Vec3& vector, int component, const py::handle& value) {
+  if (component >= 0)
+    vector[component] = value.cast<double>();
+  else
+    vector = Vec3(value.cast<std::array<double, 3>>().data());
+}
+
+template <class T>
+void set_entry(T& entry, int component, const py::handle& value) {
+  Vec3* vector = nullptr;
+  if constexpr (std::same_as<T, Vec3>)
+    vector = &entry;
+  else if constexpr (std::same_as<T, Along<Vec3>>)
+    vector = std::get_if<Vec3>(&entry);
+  else if constexpr (std::same_as<T, std::optional<Vec3>>)
+    vector = entry ? &*entry : nullptr;
+  require(vector != nullptr, "changes: no vector is there");
+  set(*vector, component, value);
+}
+
+/// The part, which may be among the new ones already, with a new value.
+template <class Part>
+void put(const Entry& entry, const py::handle& value, const std::vector<Part>& parts,
+         Changes::Of<Part>& changes) {
+  const auto& [of_load, number, name, component] = entry;
+  const auto is = [i = number](const auto& one) { return one.first == i; };
+  auto found = std::ranges::find_if(changes, is);
+  if (found == changes.end()) {
+    changes.emplace_back(number, parts.at(number));
+    found = std::prev(changes.end());
+  }
+  const auto look = [&, name = name, component = component](auto& part, const auto& field) {
+    if (name == field.name) set_entry(part.*field.member, component, value);
+  };
+  std::visit(
+      [&](auto& part) {
+        std::apply([&](const auto&... field) { (look(part, field), ...); }, part.fields());
+      },
+      found->second);
+}
+
+/// The scene of before with these numbers; from what was found last.
+std::shared_ptr<Equilibrium> solve_numbers(Solver& solver, const py::list& numbers,
+                                           const Options& options, bool stable, bool eigenvalue,
+                                           std::optional<double> tol) {
+  Changes changes;
+  const Scene& scene = solver.scene();
+  for (const auto& number : numbers) {
+    const auto [entry, value] = number.cast<std::pair<Entry, py::object>>();
+    if (std::get<0>(entry))
+      put(entry, value, scene.loads, changes.loads);
+    else
+      put(entry, value, scene.supports, changes.supports);
+  }
+  Settings settings = settings_of(options, tol, stable, eigenvalue);
+  settings.trace = python_interrupt();
+  const py::gil_scoped_release release;
+  return std::make_shared<Equilibrium>(solver.solve(changes, settings));
 }
 
 /// The scenes on several threads; `progress` sees how many are done. What a solve throws is thrown
@@ -175,14 +244,23 @@ void solving(py::module_& module, py::class_<Solver>& scene) {
           "solve",
           [](Going& going, const Solver* scene, const Changes::Of<const GivenRod*>& rods,
              const Changes::Of<Support>& supports, const Changes::Of<Joint>& joints,
-             const Changes::Of<Load>& loads, const Options& options, std::optional<double> tol,
-             bool stable, bool eigenvalue) {
-            return solve_changed(going.solver, scene, rods, supports, joints, loads, options, tol,
-                                 stable, eigenvalue);
+             const Changes::Of<Load>& loads, const Options& options, bool stable, bool eigenvalue,
+             std::optional<double> tol) {
+            return solve_changed(going.solver, scene, rods, supports, joints, loads, options,
+                                 stable, eigenvalue, tol);
           },
           py::arg("scene").none(true), py::arg("rods"), py::arg("supports"), py::arg("joints"),
-          py::arg("loads"), py::arg("options"), py::arg("tol"), py::arg("stable"),
-          py::arg("eigenvalue"));
+          py::arg("loads"), py::arg("options"), py::arg("stable"), py::arg("eigenvalue"),
+          py::arg("tol"))
+      .def("forget", [](Going& going) { going.solver.forget(); })
+      .def(
+          "solve_numbers",
+          [](Going& going, const py::list& numbers, const Options& options, bool stable,
+             bool eigenvalue, std::optional<double> tol) {
+            return solve_numbers(going.solver, numbers, options, stable, eigenvalue, tol);
+          },
+          py::arg("numbers"), py::arg("options"), py::arg("stable"), py::arg("eigenvalue"),
+          py::arg("tol"));
   module.def("solve_all", &solve_all, py::arg("scenes"), py::arg("starts"), py::arg("options"),
              py::arg("tol"), py::arg("stable"), py::arg("eigenvalue"), py::arg("threads"),
              py::arg("progress"));

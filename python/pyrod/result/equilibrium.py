@@ -12,7 +12,7 @@ import numpy as np
 
 from pyrod.base.arrays import number
 from pyrod.base.borrowed import borrowed
-from pyrod.base.immutable import Array, Immutable, Lazy
+from pyrod.base.immutable import Array, Immutable, Lazy, lazily
 from pyrod.result.accuracy import Accuracy
 from pyrod.result.rods import OfTheOnlyRod, Reaction, RodEquilibrium, longest
 from pyrod.rotation import exp, multiply, rotate
@@ -61,21 +61,36 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
 
     def __getattr__(self, name: str) -> Any:
         """What is made when it is asked for, and what is known of the only rod."""
-        if name == "reactions":
-            made = tuple([Reaction(*one) for one in Lazy.__getattr__(self, name)])
-            self._set(reactions=made)
-            return made
-        if name not in OfTheOnlyRod.__annotations__:
-            return Lazy.__getattr__(self, name)
-        rods = self.__dict__["rods"]
-        if len(rods) != 1:
-            raise AttributeError(f"{name}: the scene has {len(rods)} rods; see rods[i].{name}")
-        return getattr(rods[0], name)
+        if name in OfTheOnlyRod.__annotations__:
+            if len(self.rods) != 1:
+                raise AttributeError(
+                    f"{name}: the scene has {len(self.rods)} rods; see rods[i].{name}"
+                )
+            return getattr(self.rods[0], name)
+        made: Any
+        state = self.__dict__
+        if name == "rods" and "_made_of" in state:
+            found = state["_compiled"]
+            made = tuple(
+                [
+                    lazily(RodEquilibrium, found.rod(i), rod=rod)
+                    for i, rod in enumerate(state["_made_of"])
+                ]
+            )
+        elif name == "scene" and "_make_scene" in state:
+            made = state["_make_scene"]()
+        else:
+            made = Lazy.__getattr__(self, name)
+            if name != "reactions":
+                return made
+            made = tuple([Reaction(*one) for one in made])
+        state[name] = made
+        return made
 
     def __dir__(self) -> list[str]:
         """With what is known of the only rod."""
-        rods = self.__dict__["rods"]
-        return sorted({*super().__dir__(), *(dir(rods[0]) if len(rods) == 1 else ())})
+        of_rod = dir(self.rods[0]) if len(self.rods) == 1 else ()
+        return sorted({*super().__dir__(), *of_rod})
 
     @property
     def errors(self) -> dict[str, float] | None:

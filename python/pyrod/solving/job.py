@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from numpy.typing import ArrayLike
@@ -11,7 +12,7 @@ from pyrod._core import Options
 from pyrod.base.immutable import lazily
 from pyrod.result.accuracy import accuracy_of, checked_tolerance
 from pyrod.result.equilibrium import Equilibrium
-from pyrod.result.rods import RodEquilibrium
+from pyrod.rod.rod import Rod
 from pyrod.rotation import as_frames
 from pyrod.scene.scene import Scene
 
@@ -59,17 +60,29 @@ def equilibrium_of(
     accuracy = None
     if (told := found.accuracy) is not None:
         scene, accuracy = scene._climbing, accuracy_of(told, found.neutral)
+    return _made(found, how, time, scene.rods, scene=scene, accuracy=accuracy, choice=choice)
+
+
+def equilibrium_later(
+    make: Callable[[], Scene],
+    rods: tuple[Rod, ...],
+    found: _core.Equilibrium,
+    how: How,
+    time: float,
+) -> Equilibrium:
+    """The same without a tolerance, of a scene that is made when it is asked for."""
+    return _made(found, how, time, rods, _make_scene=make, accuracy=None, choice=None)
+
+
+def _made(
+    found: _core.Equilibrium, how: How, time: float, rods: tuple[Rod, ...], **known: Any
+) -> Equilibrium:
     return lazily(
         Equilibrium,
         found,
         status=found.status,
-        scene=scene,
-        rods=tuple(
-            [lazily(RodEquilibrium, found.rod(i), rod=rod) for i, rod in enumerate(scene.rods)]
-        ),
         time=time,
         lowest_eigenvalue=found.lowest_eigenvalue if how.eigenvalue else None,
-        accuracy=accuracy,
-        choice=choice,
+        _made_of=rods,
+        **known,
     )
-

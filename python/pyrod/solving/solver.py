@@ -12,8 +12,9 @@ from pyrod._core import Options
 from pyrod.base.words import shortly
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.scene.changes import KINDS, Parts, changed
+from pyrod.scene.numbers import NewNumbers
 from pyrod.scene.scene import Scene, checked_scene, compiled_of
-from pyrod.solving.job import DEFAULTS, How, equilibrium_of
+from pyrod.solving.job import DEFAULTS, How, equilibrium_later, equilibrium_of
 from pyrod.solving.run import judge
 
 
@@ -43,7 +44,7 @@ class Solver:
         eigenvalue: bool = False,
         strict: bool = True,
     ) -> None:
-        self._scene = checked_scene(scene)
+        self._numbers = NewNumbers(checked_scene(scene))
         self._how = How(options or DEFAULTS, stable, eigenvalue, tol).checked()
         self._strict = strict
         # of the rods with the vertices of places: rows of loads have as many as these have edges
@@ -54,7 +55,7 @@ class Solver:
     @property
     def scene(self) -> Scene:
         """The scene as it was solved last."""
-        return self._scene
+        return self._numbers.scene
 
     def solve(self, changes: Mapping[str, Any] | Scene | None = None) -> Equilibrium:
         """The equilibrium of the scene with these changes, which stay.
@@ -73,6 +74,12 @@ class Solver:
         NotConverged
             No equilibrium was found, if the solver is strict.
         """
+        result = self.unjudged(changes)
+        judge(result, self._strict)
+        return result
+
+    def unjudged(self, changes: Mapping[str, Any] | Scene | None = None) -> Equilibrium:
+        """As ``solve``, but whatever is found is returned without a warning."""
         if not isinstance(changes, (Scene, Mapping, type(None))):
             raise TypeError(
                 f"changes: expected new values by their paths, or a Scene, got {shortly(changes)}"
@@ -82,40 +89,41 @@ class Solver:
         with self._busy:
             self._thread = get_ident()
             try:
-                result = self._found(changes)
+                return self._found(changes or {})
             finally:
                 self._thread = None
-        judge(result, self._strict)
-        return result
 
-    def _found(self, changes: Mapping[str, Any] | Scene | None) -> Equilibrium:
+    def forget(self) -> None:
+        """Starts the next solve afresh, as if nothing had been found yet."""
+        with self._busy:
+            self._solver.forget()
+
+    def _found(self, changes: Mapping[str, Any] | Scene) -> Equilibrium:
         began = perf_counter()
-        options, stable, eigenvalue, tol = self._how
+        if isinstance(changes, Mapping) and (values := self._numbers.read(changes)) is not None:
+            found = self._solver.solve_numbers(values, *self._how)
+            self._numbers = numbers = self._numbers.with_these(changes)
+            if found.accuracy is None:
+                return equilibrium_later(
+                    numbers.made, numbers.rods, found, self._how, perf_counter() - began
+                )
+            return equilibrium_of(numbers.scene, found, self._how, perf_counter() - began)
         new: Parts | None = None
         if isinstance(changes, Scene):
             scene = changes
         else:
-            scene, new = changed(self._scene, changes or {})
-        rods, supports, joints, loads = compiled_parts(new or {})
-        found = self._solver.solve(
-            compiled_of(scene) if new is None else None,  # type: ignore[arg-type]
-            rods,
-            supports,
-            joints,
-            loads,
-            options,
-            tol,
-            stable,
-            eigenvalue,
-        )
-        self._scene = scene
+            scene, new = changed(self.scene, changes)
+        parts = compiled_parts(new or {})
+        given = compiled_of(scene) if new is None else None
+        found = self._solver.solve(given, *parts, *self._how)
+        self._numbers = NewNumbers(scene)
         return equilibrium_of(scene, found, self._how, perf_counter() - began)
 
     def __reduce__(self) -> tuple[Callable[..., Solver], tuple[Any, ...]]:
-        return _again, (self._scene, self._how, self._strict)
+        return _again, (self.scene, self._how, self._strict)
 
     def __repr__(self) -> str:
-        return f"Solver({self._scene!r})"
+        return f"Solver({self.scene!r})"
 
 
 def _again(scene: Scene, how: How, strict: bool) -> Solver:

@@ -31,8 +31,8 @@ double apart(const Equilibrium& a, const Equilibrium& b) {
   double most = (a.reactions()[0].force - b.reactions()[0].force).norm();
   for (std::size_t i = 0; i < a.rods().size(); ++i)
     for (std::size_t j = 0; j < a.rod(int(i)).curve.positions.size(); ++j)
-      most = std::max(most, (a.rod(int(i)).curve.positions[j] - b.rod(int(i)).curve.positions[j])
-                                .norm());
+      most = std::max(most,
+                      (a.rod(int(i)).curve.positions[j] - b.rod(int(i)).curve.positions[j]).norm());
   return most;
 }
 
@@ -91,17 +91,18 @@ TEST_CASE("loads that are refused change nothing, nor does a part that there is 
 }
 
 TEST_CASE("parts that nothing holds along some direction feel what their loads add up to") {
-  const Scene ring(straight(1.0, 12, soft), {Slider{.along = Vec3(0, 0, 1), .clamped = true}},
-                   {Force{{1, 0, 0}, 0.5}});
-  Solver solver(ring);
+  const Scene sliding(straight(1.0, 12, soft), {Slider{.along = Vec3(0, 0, 1), .clamped = true}},
+                      {Force{{1, 0, 0}, 0.5}});
+  Solver solver(sliding);
   CHECK(solver.solve(with_load(0, Force{{2, 0, 0}, 0.5})).converged());
   CHECK_THROWS_AS(solver.solve(with_load(0, Force{{2, 0, 1}, 0.5})), InvalidArgument);
   CHECK(solver.solve(with_load(0, Force{{1, 0, 0}, 0.5})).converged());
 }
 
 TEST_CASE("a network goes on from its own solution without a step to find its forces") {
-  const auto second = straight(1.0, 10, Section(1, 1, 0.7, 1e3, 1e3, 1e3))
-                          .placed({Vec3(0, 0, 1), Quaternion(std::sqrt(0.5), 0, std::sqrt(0.5), 0)});
+  const auto second =
+      straight(1.0, 10, Section(1, 1, 0.7, 1e3, 1e3, 1e3))
+          .placed({Vec3(0, 0, 1), Quaternion(std::sqrt(0.5), 0, std::sqrt(0.5), 0)});
   Scene frame({straight(1.0, 10, Section(1, 1, 0.7, 1e3, 1e3, 1e3)), second},
               {Clamp{}, Clamp{.at = {1, End::end}}}, {Force{{0, 1, -3}, {1, 0.5}}},
               Dimension::spatial, {{{{0, End::end}, {1, End::start}}, JointKind::rigid}});
@@ -145,7 +146,7 @@ TEST_CASE("strains beyond what they mean are told without the shape being asked 
     return solve(Scene(rod, {Clamp{}}, {Force{F}, Moment{M}})).doubts;
   };
   CHECK(doubts(straight(1.0, 8, rubber), {0, 0, 29}).empty());
-  CHECK(doubts(straight(1.0, 8, rubber), {0, 0, 31}).size() == 1);   // stretched to four times
+  CHECK(doubts(straight(1.0, 8, rubber), {0, 0, 31}).size() == 1);  // stretched to four times
   CHECK(doubts(straight(1.0, 8, soft), {0, 0, 0}, {0, 24, 0}).empty());
   CHECK(doubts(straight(1.0, 8, soft), {0, 0, 0}, {0, 40, 0}).size() == 1);  // over π a cell
 }

@@ -37,6 +37,9 @@ class SceneSolver {
   /// The same with some parts in the place of others. Other loads at the same places cost least.
   Equilibrium solve(const Changes& changes, const S& settings = {});
 
+  /// What was found last is no start for the next solve.
+  void forget() { last_.reset(); }
+
   /// The scene as it was given last.
   const Scene& scene() const;
   /// The scene as it is solved without a tolerance: with vertices where rods are held and joined.
