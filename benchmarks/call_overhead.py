@@ -37,24 +37,42 @@ def scene(space: str, edges: int | None = 64) -> pyrod.Scene:
 
 def main() -> None:
     lines = subprocess.check_output([sys.argv[1]], text=True).splitlines()
-    names = ("Newton", "C++ call", "solve()", "rod + scene + solve()", "C++ Solver", "Solver")
-    print(
-        f"{'n = 64, us':12}", *(f"{name:>{max(len(name), 9)}}" for name in names), " error of tip"
+    names = (
+        "Newton",
+        "C++ call",
+        "with tip",
+        "C++ Solver",
+        "with tip",
+        "solve()",
+        "rod + scene + solve()",
+        "with tip",
+        "Solver",
+        "with tip",
     )
+    widths = [max(len(name), 9) for name in names]
+    print(f"{'n = 64, us':12}", *map(str.rjust, names, widths), " error of tip")
     for space, line in zip(("planar", "spatial"), lines, strict=True):
-        newton, call, following = map(float, line.split())
-        ready = scene(space)
-        solver = pyrod.Solver(ready)
-        solve = seconds(lambda ready=ready: pyrod.solve(ready))
-        everything = seconds(lambda space=space: pyrod.solve(scene(space)))
-        again = seconds(
-            lambda solver=solver: solver.solve({"loads.0.force.0": 10 + 0.01 * sin(next(COUNT))})
-        )
+        times = [*map(float, line.split()), *python_times(space)]
         exact = pyrod.solve(scene(space, None), tol=1e-9).tip
-        error = np.abs(pyrod.solve(ready).tip - exact).max()
-        times = (newton, call, solve, everything, following, again)
-        cells = (f"{1e6 * t:{max(len(n), 9)}.1f}" for n, t in zip(names, times, strict=True))
+        error = np.abs(pyrod.solve(scene(space)).tip - exact).max()
+        cells = (f"{1e6 * t:{width}.1f}" for t, width in zip(times, widths, strict=True))
         print(f"{space:12}", *cells, f" {error:.1e}")
+
+
+def python_times(space: str) -> list[float]:
+    ready = scene(space)
+    solver = pyrod.Solver(ready)
+
+    def again() -> pyrod.Equilibrium:
+        return solver.solve({"loads.0.force.0": 10 + 0.01 * sin(next(COUNT))})
+
+    return [
+        seconds(lambda: pyrod.solve(ready)),
+        seconds(lambda: pyrod.solve(scene(space))),
+        seconds(lambda: pyrod.solve(scene(space)).tip),
+        seconds(again),
+        seconds(lambda: again().tip),
+    ]
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from pyrod.rod.rod import Rod
 from pyrod.scene.changes import changed, entries_of, part_keys
 from pyrod.scene.scene import Scene
 
+_PLAIN = {float, int, np.float64}
 Entry = tuple[bool, int, str, int]
 """Whether of a load, else of a support; its number, an entry, and a component, -1: all."""
 
@@ -98,4 +99,4 @@ class NewNumbers:
 
 
 def _plain(value: Any) -> bool:
-    return type(value) in (float, int) and isfinite(value)
+    return type(value) in _PLAIN and isfinite(value)

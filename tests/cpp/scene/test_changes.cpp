@@ -75,6 +75,34 @@ TEST_CASE("parts of all kinds may change by turns, and together") {
   }
 }
 
+TEST_CASE("supports that move hold what they hold where they are now") {
+  const auto scene = [](double t) {
+    const Quaternion turned(std::cos(t / 2), std::sin(t / 2), 0, 0);
+    return Scene(precurved(1.0, 20, soft, Vec3(0, 0.7, 0)),
+                 {Clamp{.position = Vec3(t, 0, 0), .frame = turned},
+                  Sleeve{.position = Vec3(0.2, 0.1 * t, 0.8), .frame = turned, .at = 0.8},
+                  Spring{.stiffness = 2, .position = Vec3(0.3, t, 0.9), .at = End::end}},
+                 {Force{{0, 1, 0}, 0.5}});
+  };
+  Solver solver(scene(0));
+  for (const double t : {0., 0.05, 0.1, 0.15}) {
+    const auto now = scene(t);
+    const auto only_clamp = solver.solve({.supports = {{0, now.supports[0]}}});
+    auto half = solver.scene();
+    CHECK(apart(only_clamp, solve(half)) < 1e-9);
+    const auto found = solver.solve({.supports = {{1, now.supports[1]}, {2, now.supports[2]}}});
+    CHECK(apart(found, solve(now)) < 1e-9);
+  }
+  const Support far = Clamp{.position = Vec3(0, 0, -1), .at = End::start};
+  Solver taut(
+      Scene(straight(1.0, 8, soft), {Clamp{}, Hinge{.position = Vec3(0, 0, 0.9), .at = End::end}}));
+  CHECK_THROWS_AS(taut.solve({.supports = {{0, far}}}), InvalidArgument);
+  CHECK_THROWS_AS(
+      taut.solve({.supports = {{1, Hinge{.position = Vec3(0, NAN, 0.9), .at = End::end}}}}),
+      InvalidArgument);
+  CHECK(taut.solve(Changes{}).converged());
+}
+
 TEST_CASE("loads that are refused change nothing, nor does a part that there is not") {
   Solver solver(rod(1));
   const auto before = solver.solve(Changes{});

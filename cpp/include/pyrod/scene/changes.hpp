@@ -25,8 +25,6 @@ struct Changes {
   Of<Joint> joints = {};
   Of<Load> loads = {};
 
-  bool of_loads_only() const { return rods.empty() && supports.empty() && joints.empty(); }
-
   /// These first, then others.
   void add(const Changes& more) {
     const auto append = [](auto& to, const auto& from) {

@@ -11,6 +11,7 @@
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/scene/placement.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -58,8 +59,18 @@ struct Network {
   void check() const {
     check_places();
     for (std::size_t i = 0; i < rods.size(); ++i) check_rod(i);
-    for (std::size_t v = 0; v < nodes.size(); ++v) check_node(nodes[v], v);
+    check_nodes();
     for (const auto& a : attachments) check_attachment(a);
+  }
+
+  void check_nodes() const {
+    for (std::size_t v = 0; v < nodes.size(); ++v) check_node(nodes[v], v);
+  }
+
+  /// Whether nodes and attachments differ in nothing but positions and frames of nodes. In space.
+  bool differs_in_places_only(const Network& other) const {
+    return std::ranges::equal(nodes, other.nodes, same_but_for_place) &&
+           std::ranges::equal(attachments, other.attachments, same_attachment);
   }
 
   /// What must hold before anything is looked up: counts, and who hangs where.
@@ -77,6 +88,20 @@ struct Network {
   }
 
  private:
+  static bool same_but_for_place(const Node<Space>& a, const Node<Space>& b) {
+    return same(a.free, b.free) && same(a.turns, b.turns) && a.force == b.force &&
+           a.moment == b.moment && a.follower_moment == b.follower_moment && a.spring == b.spring &&
+           a.torsion_spring == b.torsion_spring;
+  }
+  template <class D>
+  static bool same(const D& a, const D& b) {
+    return a.cols() == b.cols() && a == b;
+  }
+  static bool same_attachment(const Attachment<Space>& a, const Attachment<Space>& b) {
+    return a.rod == b.rod && a.vertex == b.vertex && a.node == b.node && a.rigid == b.rigid &&
+           a.relative.coeffs() == b.relative.coeffs() && a.turns == b.turns && a.hinge == b.hinge;
+  }
+
   void check_rod(std::size_t i) const {
     try {
       rods[i].check();

@@ -54,19 +54,33 @@ class NetworkMaker {
   }
 
   SceneNetwork make() {
-    for (std::size_t i = 0; i < scene_.joints.size(); ++i) join(scene_.joints[i], i);
-    for (const auto& support : scene_.supports) support_on(support);
-    for (int i = 0; i < int(scene_.rods.size()); ++i) add_rod(i);
-    for (auto& meeting : nodes_) add(meeting);
-    for (const auto& support : scene_.supports)
-      note_held(nodes_[owner_.at(point(place_of(support)))]);
-    for (const auto& joint : scene_.joints)
-      out_.joint_nodes.push_back(nodes_[owner_.at(point(joint.points[0]))].number);
+    meet();
+    for (int i = 0; i < int(scene_.rods.size()); ++i) {
+      out_.network.rods.push_back(on_.rod(i));
+      out_.network.loads.push_back(on_.loads(i));
+    }
+    return std::move(out_);
+  }
+
+  /// Without rods and loads.
+  SceneNetwork make_nodes() {
+    meet();
     return std::move(out_);
   }
 
  private:
   using Point = std::pair<int, int>;  ///< numbers of a rod, and of a vertex of it
+
+  void meet() {
+    for (std::size_t i = 0; i < scene_.joints.size(); ++i) join(scene_.joints[i], i);
+    for (const auto& support : scene_.supports) support_on(support);
+    for (int i = 0; i < int(scene_.rods.size()); ++i) place_rod(i);
+    for (auto& meeting : nodes_) add(meeting);
+    for (const auto& support : scene_.supports)
+      note_held(nodes_[owner_.at(point(place_of(support)))]);
+    for (const auto& joint : scene_.joints)
+      out_.joint_nodes.push_back(nodes_[owner_.at(point(joint.points[0]))].number);
+  }
 
   /// What meets in one point.
   struct Meeting {
@@ -146,14 +160,12 @@ class NetworkMaker {
     return turns;
   }
 
-  void add_rod(int i) {
+  void place_rod(int i) {
     auto placement = scene_.rods[std::size_t(i)].placement;
     const bool clamped = std::ranges::any_of(scene_.supports, [&](const Support& support) {
       return place_of(support).rod == i && hold(support, Quaternion::Identity()).frame;
     });
     if (clamped) placement = nearest(placement);
-    out_.network.rods.push_back(on_.rod(i));
-    out_.network.loads.push_back(on_.loads(i));
     out_.network.placements.push_back(placement);
   }
 
@@ -236,5 +248,10 @@ class NetworkMaker {
 }  // namespace detail
 
 inline SceneNetwork network_of(const SceneOnGrids& on) { return detail::NetworkMaker(on).make(); }
+
+/// The same without rods and loads, which an other scene has, too.
+inline SceneNetwork nodes_of(const SceneOnGrids& on) {
+  return detail::NetworkMaker(on).make_nodes();
+}
 
 }  // namespace pyrod

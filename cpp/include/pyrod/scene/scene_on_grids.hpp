@@ -111,12 +111,11 @@ class SceneOnGrids {
   const Rod<Spatial>& rod(int i) const { return rods_[std::size_t(i)].rod; }
   const Loads<Spatial>& loads(int i) const { return loads_[std::size_t(i)]; }
 
-  /// Other loads, at the places of those before.
-  void change_loads(const Changes::Of<Load>& loads) {
-    for (const auto& [i, load] : loads) {
-      check_load(load, rods_);
-      scene_.loads[i] = load;
-    }
+  /// Other supports and loads, at the places of those before.
+  void change(const Changes& changes) {
+    for (const auto& [i, load] : changes.loads) check_load(load, rods_);
+    changes.apply(scene_);
+    if (changes.loads.empty()) return;
     for (int i = 0; i < int(rods_.size()); ++i) loads_[std::size_t(i)] = acting_on(i);
   }
 

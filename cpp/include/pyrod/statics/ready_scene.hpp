@@ -6,7 +6,6 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/changes.hpp>
-#include <pyrod/scene/load.hpp>
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/scene_breaks.hpp>
 #include <pyrod/scene/scene_network.hpp>
@@ -43,13 +42,20 @@ class ReadyScene {
     network_ = std::move(network);
   }
 
-  /// The same under other loads, at the places of those before. Not while anybody uses it. If these
-  /// are refused, it must not be used any more.
-  void change_loads(const Changes::Of<Load>& loads) {
-    grid_.change_loads(loads);
-    auto& on_rods = network_.network.loads;
-    for (std::size_t i = 0; i < on_rods.size(); ++i) on_rods[i] = grid_.loads(int(i));
-    change_loads<Planar>(), change_loads<Spatial>();
+  /// The same with other supports and loads, at the places of those before. Not while anybody uses
+  /// it. If these are refused, it must not be used any more.
+  void change(const Changes& changes) {
+    grid_.change(changes);
+    if (!changes.supports.empty()) {
+      auto nodes = nodes_of(grid_);
+      nodes.network.rods = std::move(network_.network.rods);
+      nodes.network.loads = std::move(network_.network.loads);
+      network_ = std::move(nodes);
+    }
+    auto& loads = network_.network.loads;
+    for (std::size_t i = 0; i < loads.size() && !changes.loads.empty(); ++i)
+      loads[i] = grid_.loads(int(i));
+    change<Planar>(changes), change<Spatial>(changes);
   }
 
   const Scene& scene() const { return grid_.scene(); }
@@ -106,12 +112,15 @@ class ReadyScene {
   }
 
   template <class Space>
-  void change_loads() {
+  void change(const Changes& changes) {
     auto& levels = std::get<Levels<Space>>(levels_);
     auto coarsest = levels.extract(0);
     levels.clear();
     if (!coarsest || coarsest.mapped().use_count() != 1) return;
-    if (coarsest.mapped()->change_loads(network_.network.loads)) levels.insert(std::move(coarsest));
+    auto& posed = *coarsest.mapped();
+    if ((changes.supports.empty() || posed.move_nodes(network_.network)) &&
+        (changes.loads.empty() || posed.change_loads(network_.network.loads)))
+      levels.insert(std::move(coarsest));
   }
 
   template <class Space>

@@ -1,165 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file How a scene is solved: on its edges or to a tolerance.
+/// \file How a solver goes from solve to solve.
 #pragma once
 
 #include <pyrod/core/require.hpp>
-#include <pyrod/rotation/embedding.hpp>
-#include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/changes.hpp>
-#include <pyrod/scene/choice.hpp>
-#include <pyrod/scene/load.hpp>
-#include <pyrod/scene/place.hpp>
 #include <pyrod/scene/scene.hpp>
-#include <pyrod/statics/doubts.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/known_start.hpp>
-#include <pyrod/statics/ladder/climb.hpp>
 #include <pyrod/statics/ready_scene.hpp>
-#include <pyrod/statics/scene_shape.hpp>
-#include <pyrod/statics/solution/found.hpp>
-#include <pyrod/statics/solution/strained.hpp>
+#include <pyrod/statics/scene_parts.hpp>
+#include <pyrod/statics/scene_solve.hpp>
 #include <pyrod/statics/solver.hpp>
-#include <pyrod/statics/solving/network_solve.hpp>
 #include <pyrod/statics/warm_start.hpp>
 
-#include <algorithm>
 #include <concepts>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace pyrod {
-
-namespace detail {
-
-/// One solve of a scene that is ready. `S`: `Settings`.
-template <class S>
-class SceneSolve {
- public:
-  /// `ready`: who asks for the shape later still needs it. `tol`: none, for the edges as they are.
-  SceneSolve(std::shared_ptr<const ReadyScene> ready, const S& settings, std::optional<double> tol)
-      : ready_(std::move(ready)), settings_(settings), tol_(tol) {}
-
-  /// `reached`: from where to start, if that fits, and where that led to; else from `start()`.
-  template <class GetStart>
-  Equilibrium solve(const GetStart& start, WarmStart* reached) const {
-    return in_space(ready_->scene().space, [&]<class Space>(Space) {
-      if (tol_) return climb<Space>(start());
-      const auto posed = ready_->template posed<Space>();
-      const auto found = std::make_shared<const Found<Space>>(this->find(*posed, start, reached));
-      if (reached && found->converged()) *reached = WarmStart(found, posed->here());
-      return equilibrium<Space>(posed, found);
-    });
-  }
-
- private:
-  template <class Space, class GetStart>
-  Found<Space> find(const Posed<Space>& posed, const GetStart& start, const WarmStart* warm) const {
-    if (warm)
-      if (auto near = warm->state(posed))
-        return find_near<Space>(posed, std::move(*near), settings_.options, more(),
-                                settings_.trace);
-    return pyrod::find<Space>(posed, start(), settings_.options, more(), settings_.trace);
-  }
-
-  /// Its shape is told when it is asked for.
-  template <class Space>
-  Equilibrium equilibrium(const std::shared_ptr<const Posed<Space>>& posed,
-                          const std::shared_ptr<const Found<Space>>& found) const {
-    Equilibrium out(*found, [ready = ready_, posed, found] {
-      return shape_of(*ready, posed->in_space(told(*posed, *found)));
-    });
-    for (const auto& φ : found->mode) out.mode.push_back(embed_spin(φ));
-    return checked(std::move(out), Strained<Space>(posed->problem(), found->state).perhaps());
-  }
-
-  template <class Space>
-  Equilibrium climb(const Start& start) const {
-    const auto levels = [this](int level) { return ready_->template posed<Space>(level); };
-    auto climbed = pyrod::climb<Space>(
-        levels, ready_->network().network.rods, ready_->corners(), start,
-        {*tol_, settings_.options, more(), settings_.trace, settings_.progress});
-    auto mode = std::move(climbed.solution.mode);
-    Course course = climbed.solution;
-    const auto& [unresolved, reason] = ready_->smoothness();
-    Equilibrium out(std::move(course),
-                    [ready = ready_, solution = std::move(climbed.solution)]() mutable {
-                      return shape_of(*ready, std::move(solution));
-                    });
-    out.mode = std::move(mode);
-    out.accuracy = Accuracy{*tol_, climbed.reached, reason, unresolved};
-    return checked(std::move(out), true);
-  }
-
-  NetworkOptions more() const {
-    return {.stable = settings_.stable, .eigenvalue = settings_.eigenvalue};
-  }
-
-  /// With all doubts; refuses what drifts. `look`: strains may be beyond what they mean.
-  Equilibrium checked(Equilibrium&& out, bool look) const {
-    refuse_drift(*ready_, out);
-    out.doubts = doubts_of(out, settings_.stable, look);
-    return std::move(out);
-  }
-
-  std::shared_ptr<const ReadyScene> ready_;
-  const S& settings_;
-  std::optional<double> tol_;
-};
-
-}  // namespace detail
-
-template <std::same_as<Settings> S>
-struct SceneSolver<S>::Parts {
-  Scene given;
-  ReadyScene plain;
-  std::unique_ptr<std::once_flag> once = std::make_unique<std::once_flag>();
-  std::unique_ptr<ReadyScene> climbing = {};
-
-  explicit Parts(Scene scene)
-      : given(std::move(scene)), plain(with_vertices_at_places(given, false)) {}
-
-  /// Other numbers, in what nobody else uses. If they are refused, it must not be used any more.
-  void change(Scene scene) {
-    plain.change(with_vertices_at_places(scene, false));
-    given = std::move(scene);
-    once = std::make_unique<std::once_flag>();
-    climbing.reset();
-  }
-
-  void change(const Changes& changes) {
-    if (!changes.of_loads_only() || !std::ranges::all_of(changes.loads, [this](const auto& one) {
-          return keeps_vertices(one.first, one.second);
-        })) {
-      Scene scene = given;
-      changes.apply(scene);
-      return change(std::move(scene));
-    }
-    changes.apply(given);
-    plain.change_loads(changes.loads);
-    once = std::make_unique<std::once_flag>();
-    climbing.reset();
-  }
-
- private:
-  /// Whether a load does not ask for other vertices, and need not be made one on them.
-  bool keeps_vertices(std::size_t i, const Load& load) const {
-    if (i >= given.loads.size()) return false;
-    const auto lists = [](const Load& one) {
-      bool any = false;
-      visit_along(one, [&](const Along<Vec3>& values, int, const char*) {
-        any = any || std::holds_alternative<std::vector<Vec3>>(values);
-      });
-      return any;
-    };
-    if (lists(load) || lists(given.loads[i])) return false;
-    const auto *now = point_of(load), *before = point_of(given.loads[i]);
-    return (!now && !before && rod_of(load) == rod_of(given.loads[i])) ||
-           (now && before && *now == *before);
-  }
-};
 
 /// What was found after a change, the full turns that were put in, and the edges of the rods.
 template <std::same_as<Settings> S>
@@ -170,26 +31,21 @@ struct SceneSolver<S>::Last {
 };
 
 template <std::same_as<Settings> S>
-SceneSolver<S>::SceneSolver(Scene scene) : parts_(std::make_shared<Parts>(std::move(scene))) {}
+SceneSolver<S>::SceneSolver(Scene scene) : parts_(std::make_shared<SceneParts>(std::move(scene))) {}
 
 template <std::same_as<Settings> S>
 const Scene& SceneSolver<S>::scene() const {
-  return parts_->given;
+  return parts_->given();
 }
 
 template <std::same_as<Settings> S>
 const ReadyScene& SceneSolver<S>::plain() const {
-  return parts_->plain;
+  return parts_->plain();
 }
 
 template <std::same_as<Settings> S>
 const ReadyScene& SceneSolver<S>::climbing() const {
-  std::call_once(*parts_->once, [&parts = *parts_] {
-    auto scene = with_vertices_at_places(parts.given, true);
-    auto smooth = add_vertices_at_breaks(scene, parts.given.loads);
-    parts.climbing = std::make_unique<ReadyScene>(std::move(scene), std::move(smooth));
-  });
-  return *parts_->climbing;
+  return parts_->climbing();
 }
 
 template <std::same_as<Settings> S>
@@ -224,7 +80,7 @@ Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
   if (next.use_count() == 1)
     next->change(std::move(changed));
   else  // there is none yet, or copies have it
-    next = std::make_shared<Parts>(std::move(changed));
+    next = std::make_shared<SceneParts>(std::move(changed));
   return solve_next(std::move(next), settings);
 }
 
@@ -237,9 +93,9 @@ Equilibrium SceneSolver<S>::solve(const Changes& changes, const S& settings) {
     all.add(changes);
     next->change(all);
   } else {
-    Scene scene = parts_->given;
+    Scene scene = parts_->given();
     changes.apply(scene);
-    next = std::make_shared<Parts>(std::move(scene));
+    next = std::make_shared<SceneParts>(std::move(scene));
   }
   auto found = solve_next(std::move(next), settings);
   behind_ = changes;
@@ -247,7 +103,7 @@ Equilibrium SceneSolver<S>::solve(const Changes& changes, const S& settings) {
 }
 
 template <std::same_as<Settings> S>
-Equilibrium SceneSolver<S>::solve_next(std::shared_ptr<Parts> next, const S& settings) {
+Equilibrium SceneSolver<S>::solve_next(std::shared_ptr<SceneParts> next, const S& settings) {
   std::swap(parts_, next);
   try {
     auto found = solve_from_last(settings);

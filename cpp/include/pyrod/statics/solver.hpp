@@ -14,6 +14,7 @@
 namespace pyrod {
 
 class ReadyScene;
+class SceneParts;
 class WarmStart;
 
 /// Keeps what does not depend on how a scene is solved: its grids, network, and finer grids. It may
@@ -48,18 +49,18 @@ class SceneSolver {
   const ReadyScene& climbing() const;
 
  private:
-  struct Parts;
   struct Last;
   bool fits(const Last& last, const S& settings) const;
   std::vector<int> turns() const;
   static std::vector<int> edges_of(const ReadyScene& ready);
   std::optional<double> tolerance(const S& settings) const;
   Equilibrium solve(const S& settings, WarmStart* reached) const;
-  Equilibrium solve_next(std::shared_ptr<Parts> next, const S& settings);
+  Equilibrium solve_next(std::shared_ptr<SceneParts> next, const S& settings);
   Equilibrium solve_from_last(const S& settings);
 
-  std::shared_ptr<Parts> parts_;
-  std::shared_ptr<Parts> spare_;  ///< those of the scene before, whose numbering the next one takes
+  std::shared_ptr<SceneParts> parts_;
+  std::shared_ptr<SceneParts>
+      spare_;  ///< those of the scene before, whose numbering the next one takes
   std::optional<Changes> behind_;  ///< by which those are behind, if that is known
   std::shared_ptr<const Last> last_;
 };

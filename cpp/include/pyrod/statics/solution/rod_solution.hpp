@@ -76,8 +76,9 @@ RodSolution<Spatial> placed(const RodSolution<Space>& local, const Placement<Spa
     to.reserve(from.size());
     for (const auto& item : from) to.push_back(map(item));
   };
+  const Mat3 R = matrix(at.frame);
   const auto frame = [&](const auto& q) { return at.frame * embed(q); };
-  const auto vector = [&](const auto& n) -> Vec3 { return rotate(at.frame, embed(n)); };
+  const auto vector = [&](const auto& n) -> Vec3 { return R * embed(n); };
   to_space(local.curve.positions, out.curve.positions,
            [&](const auto& r) -> Vec3 { return at.position + vector(r); });
   to_space(local.curve.frames, out.curve.frames, frame);
@@ -87,8 +88,7 @@ RodSolution<Spatial> placed(const RodSolution<Space>& local, const Placement<Spa
   to_space(local.load, out.load, vector);
   to_space(local.vertex_frames, out.vertex_frames, frame);
   to_space(local.vertex_force, out.vertex_force, vector);
-  to_space(local.moment, out.moment,
-           [&](const auto& m) -> Vec3 { return rotate(at.frame, embed_spin(m)); });
+  to_space(local.moment, out.moment, [&](const auto& m) -> Vec3 { return R * embed_spin(m); });
   to_space(local.strains.K, out.strains.K, [](const auto& K) -> Vec3 { return embed_spin(K); });
   to_space(local.strains.Γ, out.strains.Γ, [](const auto& Γ) -> Vec3 { return embed(Γ); });
   to_space(local.material_force, out.material_force,
@@ -96,10 +96,9 @@ RodSolution<Spatial> placed(const RodSolution<Space>& local, const Placement<Spa
   to_space(local.material_moment, out.material_moment,
            [](const auto& M) -> Vec3 { return embed_spin(M); });
   to_space(local.before, out.before, [&](const auto& b) -> Before<Spatial> {
-    return {b.vertex, vector(b.force), embed_spin(b.K), rotate(at.frame, embed_spin(b.moment)),
-            b.halves};
+    return {b.vertex, vector(b.force), embed_spin(b.K), R * embed_spin(b.moment), b.halves};
   });
-  out.load_moment = rotate(at.frame, embed_spin(local.load_moment));
+  out.load_moment = R * embed_spin(local.load_moment);
   out.bend_twist_energy = local.bend_twist_energy;
   out.stretch_shear_energy = local.stretch_shear_energy;
   out.largest = local.largest;

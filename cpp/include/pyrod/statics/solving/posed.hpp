@@ -62,6 +62,10 @@ class Posed {
   /// these decide more than numbers, see `KnownForces`.
   bool change_loads(const std::vector<Loads<Spatial>>& loads);
 
+  /// The same with its nodes at other places, in other frames, in space. False, and nothing has
+  /// changed, if they differ in more.
+  bool move_nodes(const Network<Spatial>& network);
+
   /// As it was given: what the layout makes of it has units of its own, and nodes at free ends.
   const Network<Space>& network() const { return given_; }
   const Layout<Space>& layout() const { return layout_; }
@@ -146,6 +150,20 @@ void Posed<Space>::change(const Network<Spatial>& network, const Placement<Spati
   problem_.emplace(layout_);
   if constexpr (!std::is_same_v<Space, Spatial>) here_ = at;
   finest_ = std::make_unique<Finest>();
+}
+
+template <class Space>
+bool Posed<Space>::move_nodes(const Network<Spatial>& network) {
+  if constexpr (std::is_same_v<Space, Spatial>) {
+    if (!given_.differs_in_places_only(network)) return false;
+    network.check_nodes();
+    layout_.move_nodes(network);
+    given_.placements = network.placements;
+    given_.nodes = network.nodes;
+    finest_ = std::make_unique<Finest>();
+    return true;
+  }
+  return false;  // the plane may be another, and what leaves it is refused with all else
 }
 
 template <class Space>

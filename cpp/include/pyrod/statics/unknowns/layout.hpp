@@ -33,6 +33,17 @@ class Layout {
   /// See `KnownForces`.
   bool take_loads(std::vector<Loads<Space>>& loads) { return known_.take_loads(loads); }
 
+  /// Nodes, and rods at rest, at other places.
+  void move_nodes(const Network<Space>& to) {
+    auto& cut = known_.cut();
+    cut.network.placements = to.placements;
+    for (std::size_t v = 0; v < to.nodes.size(); ++v) {
+      cut.network.nodes[v].position = to.nodes[v].position;
+      cut.network.nodes[v].frame = to.nodes[v].frame;
+    }
+    cut.check_reach();
+  }
+
   const KnownForces<Space>& known() const { return known_; }
   const Network<Space>& network() const { return known_.cut().network; }
   const std::vector<Span<Space>>& spans() const { return known_.cut().spans; }

@@ -59,6 +59,26 @@ struct Spans {
     return {before < 0 ? -1 : edge(a.rod, before), a.vertex < n ? edge(a.rod, a.vertex) : -1};
   }
 
+  /// A rod that cannot stretch must reach from one held point to the next.
+  void check_reach() const {
+    for (const auto& span : spans) {
+      const auto &a = network.nodes[span.start], &b = network.nodes[span.end];
+      if (a.free.cols() > 0 || b.free.cols() > 0) continue;
+      const auto& rod = network.rods[span.rod];
+      double length = 0;
+      bool gives = false;
+      for (int j = span.first; j < span.last; ++j) {
+        length += rod.grid.h(j);
+        gives = gives || !rod.stretching[j].array().isInf().all();
+      }
+      const double apart = (b.position - a.position).norm();
+      require(
+          gives || apart <= length * (1 + 1e-9), "supports: two points of rod ", span.rod,
+          " are held ", apart, " apart, with ", length,
+          " of a rod between them that cannot stretch; bring them nearer or give it a finite EA");
+    }
+  }
+
  private:
   void add_free_ends() {
     attached.resize(network.rods.size());
@@ -139,26 +159,6 @@ struct Spans {
     for (int p = 0; p < int(spans.size()); ++p) {
       spans_at[spans[p].start].emplace_back(p, false);
       spans_at[spans[p].end].emplace_back(p, true);
-    }
-  }
-
-  /// A rod that cannot stretch must reach from one held point to the next.
-  void check_reach() const {
-    for (const auto& span : spans) {
-      const auto &a = network.nodes[span.start], &b = network.nodes[span.end];
-      if (a.free.cols() > 0 || b.free.cols() > 0) continue;
-      const auto& rod = network.rods[span.rod];
-      double length = 0;
-      bool gives = false;
-      for (int j = span.first; j < span.last; ++j) {
-        length += rod.grid.h(j);
-        gives = gives || !rod.stretching[j].array().isInf().all();
-      }
-      const double apart = (b.position - a.position).norm();
-      require(
-          gives || apart <= length * (1 + 1e-9), "supports: two points of rod ", span.rod,
-          " are held ", apart, " apart, with ", length,
-          " of a rod between them that cannot stretch; bring them nearer or give it a finite EA");
     }
   }
 };
