@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grids of k x k rigidly joined rods that sag under their weight between four held corners: a whole
-// solve, and the parts of one iteration.
+// Grids of k x k rods, joined rigidly or by balls, that sag under their weight between four held
+// corners: a whole solve, and the parts of one iteration.
 #include "measure.hpp"
 
 #include <pyrod/pyrod.hpp>
@@ -13,7 +13,7 @@ namespace pyrod::benchmark {
 constexpr int between = 8;  // edges from crossing to crossing
 
 /// Line number `at` of the grid of side 1, along x or along y; a1 points up.
-void add_line(Network<Spatial>& net, int k, int at, bool along_x) {
+void add_line(Network<Spatial>& net, int k, int at, bool along_x, bool rigid) {
   const int n = between * (k - 1), number = int(net.rods.size());
   const double y = double(at) / (k - 1);
   Mat3 R;
@@ -29,12 +29,13 @@ void add_line(Network<Spatial>& net, int k, int at, bool along_x) {
     net.loads.back().force[j] = Vec3(0, 0, -5 * net.rods.back().grid.Δs(j));
   for (int i = 0; i < k; ++i) {
     const int node = along_x ? at * k + i : i * k + at;
-    net.attachments.push_back({number, between * i, node, true, frame});
+    net.attachments.push_back({number, between * i, node, rigid, frame});
   }
 }
 
-/// Held at one corner, free to move along x at the next, in the plane at the other two.
-Network<Spatial> grid(int k) {
+/// Held at one corner, free to move along x at the next, in the plane at the other two; or at all
+/// of them, if the rods are joined by balls.
+Network<Spatial> grid(int k, bool rigid) {
   Network<Spatial> net;
   for (int i = 0; i < k * k; ++i) {
     net.nodes.emplace_back();
@@ -42,16 +43,16 @@ Network<Spatial> grid(int k) {
   }
   int free = 0;
   for (const int corner : {0, k - 1, k * (k - 1), k * k - 1}) {
-    net.nodes[corner].free = Mat3::Identity().leftCols(free);
+    net.nodes[corner].free = Mat3::Identity().leftCols(rigid ? free : 0);
     free = std::min(2, free + 1);
   }
   for (const bool along_x : {true, false})
-    for (int at = 0; at < k; ++at) add_line(net, k, at, along_x);
+    for (int at = 0; at < k; ++at) add_line(net, k, at, along_x, rigid);
   return net;
 }
 
-void row(int k) {
-  const auto net = grid(k);
+void row(int k, bool rigid) {
+  const auto net = grid(k, rigid);
   Found<Spatial> result;
   const double all = seconds(
       [&] {
@@ -93,6 +94,9 @@ int main(int argc, char** argv) {
   std::puts(
       "  k    edges unknowns   multip  fill   it index     solve     all  analyse    eval  factor  "
       "solve   move");
-  for (const int k : {5, 10, 20, 40})
-    if (k <= largest) pyrod::benchmark::row(k);
+  for (const bool rigid : {true, false}) {
+    std::puts(rigid ? "joined rigidly" : "\njoined by balls");
+    for (const int k : {5, 10, 20, 40})
+      if (k <= largest) pyrod::benchmark::row(k, rigid);
+  }
 }

@@ -48,6 +48,33 @@ int fill(const Network<Space>& net) {
   return int(Ldlt(A).factor_entries()) - int(A.rows.size());
 }
 
+/// k × k rods that cross, `edges` from crossing to crossing, held at one corner.
+template <class Space>
+Network<Space> lattice(int k, int edges, bool rigid) {
+  Structure<Space> s;
+  for (int i = 0; i < k * k; ++i) {
+    Node<Space> node;
+    node.position[0] = i % k, node.position[1] = i / k;
+    if (i == 0) node.free = s.nowhere();
+    s.net.nodes.push_back(node);
+  }
+  for (int line = 0; line < 2 * k; ++line) {
+    s.add(edges * (k - 1));
+    for (int i = 0; i < k; ++i)
+      s.net.attachments.push_back(
+          {line, edges * i, line < k ? line * k + i : i * k + line - k, rigid});
+  }
+  return s.net;
+}
+
+/// Entries of the factor over those of the matrix.
+template <class Space>
+double relative_fill(const Network<Space>& net) {
+  const Layout<Space> layout(net);
+  const BlockSymmetric A(layout.pattern());
+  return double(Ldlt(A).factor_entries()) / double(A.rows.size());
+}
+
 }  // namespace
 
 TEST_CASE_TEMPLATE("a clamped rod with a free end: frames only", Space, EACH_SPACE) {
@@ -190,4 +217,69 @@ TEST_CASE_TEMPLATE("chains have no fill; each held point in mid-rod costs one bl
   // the last frame before the hinge ties the force to the first frame behind
   CHECK(with([](auto& x) { x.hinge(0, 10), x.clamp(0, 30); }) == d * spin);
   CHECK(with([](auto& x) { x.clamp(0, 10), x.clamp(0, 30); }) == 0);
+}
+
+TEST_CASE_TEMPLATE("behind a moving node a frame stands by itself, if its span is long enough",
+                   Space, EACH_SPACE) {
+  Structure<Space> s;
+  s.add(20), s.add(8);
+  s.clamp(0, 0), s.clamp(0, 20), s.clamp(1, 0), s.clamp(1, 8);
+  s.spring(0, 5, 1, 0);   // 5 edges behind it
+  s.spring(0, 10, 1, 0);  // 3
+  s.hinge(0, 13);         // 7, but it does not move
+  s.spring(1, 4, 1, 1);   // rigid
+  const Layout<Space> layout(s.net);
+  for (int p = 0; p < int(layout.spans().size()); ++p) {
+    const auto& span = layout.spans()[p];
+    CAPTURE(span.first);
+    const bool apart = span.rod == 0 && span.first == 5;
+    CHECK(layout.apart(p) == apart);
+    for (int j = span.first + 1; j < span.last; ++j)
+      CHECK(layout.frame_row(layout.edge(span.rod, j)) ==
+            layout.frame_row(layout.edge(span.rod, span.first + apart)) +
+                Space::spin * (j - span.first - apart));
+    CHECK((layout.frame_block(layout.first_edge(p)) >= layout.first_node_block()) == apart);
+  }
+  check_unknowns(s, 28, 6 * Space::dim, Space::spin, 3 * Space::dim);
+}
+
+TEST_CASE_TEMPLATE("all rows belong to one block each, whatever the order", Space, EACH_SPACE) {
+  for (const bool rigid : {true, false}) {
+    const Layout<Space> layout(lattice<Space>(9, 4, rigid));
+    std::vector<int> seen(std::size_t(layout.unknowns()), 0);
+    const auto see = [&](int block) {
+      for (int i = 0; block >= 0 && i < layout.sizes()[block]; ++i) ++seen[layout.row(block) + i];
+    };
+    for (int e = 0; e < layout.edges(); ++e) see(layout.frame_block(e));
+    for (const auto& span : layout.spans()) see(span.block);
+    for (int v = 0; v < int(layout.network().nodes.size()); ++v)
+      see(layout.turn_block(v)), see(layout.place_block(v));
+    CHECK(seen == std::vector<int>(seen.size(), 1));
+  }
+}
+
+TEST_CASE_TEMPLATE("the fill of lattices grows slowly, joined rigidly or by balls", Space,
+                   EACH_SPACE) {
+  for (const bool rigid : {true, false}) {
+    CAPTURE(rigid);
+    double before = relative_fill(lattice<Space>(5, 8, rigid));
+    CHECK(before < 2);
+    for (const int k : {10, 20}) {
+      const double now = relative_fill(lattice<Space>(k, 8, rigid));
+      CAPTURE(k);
+      CHECK(now < 1.3 * before);
+      before = now;
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("a rod on many springs has a fill that does not grow with their number", Space,
+                   EACH_SPACE) {
+  const auto on_springs = [](int count) {
+    Structure<Space> s;
+    s.clamp(s.add(8 * count), 0);
+    for (int i = 1; i < count; ++i) s.spring(0, 8 * i, 1, 0);
+    return relative_fill(s.net);
+  };
+  CHECK(on_springs(100) < 1.05 * on_springs(10));
 }

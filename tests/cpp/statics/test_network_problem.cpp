@@ -104,6 +104,25 @@ void check_support(Random& random, const Support& support) {
   check.run(random, 1);
 }
 
+/// Rods that run through moving nodes; one of them is closed.
+template <class Space>
+Network<Space> crossing(Random& random) {
+  Structure<Space> s;
+  s.add(random.rod<Space>(14)), s.add(random.rod<Space>(11));
+  s.clamp(0, 0), s.hinge(0, 14), s.clamp(1, 0);
+  const int one = s.joint(0, 5, 1, 4, false),
+            other = s.joint(0, 10, 1, 8, false);  // with 4 edges behind it, and with 3
+  auto ring = random.rod<Space>(9);
+  ring.grid = Grid(ring.grid.edge_lengths(), Closure::closed);
+  ring.K0.pop_back(), ring.bending.pop_back();
+  s.add(ring);
+  s.net.attachments.push_back({2, 0, one, false});
+  s.net.attachments.push_back({2, 4, other, false});
+  for (auto& loads : s.net.loads)
+    for (auto& F : loads.force) F = random.vector<Space::dim>();
+  return s.net;
+}
+
 }  // namespace
 
 TEST_CASE_TEMPLATE("each support by itself: gradient and tangent", Space, EACH_SPACE) {
@@ -245,4 +264,19 @@ TEST_CASE_TEMPLATE("weights: the share of each unknown in the length, none for m
   CHECK(frames == doctest::Approx(Space::spin).epsilon(1e-14));
   CHECK((weights.array() == 0).count() == multipliers);
   CHECK(multipliers > 0);
+}
+
+TEST_CASE_TEMPLATE("rods that run through moving nodes: gradient, tangent, and inertia", Space,
+                   EACH_SPACE) {
+  Random random(7);
+  const Check<Space> check(random, crossing<Space>(random));
+  int apart = 0;
+  for (int p = 0; p < int(check.layout.spans().size()); ++p) apart += check.layout.apart(p);
+  CHECK(apart == 5);
+  CHECK(check.statics.conservative());
+  check.run(random);
+  for (const Hessian kind : {Hessian::exact, Hessian::convex}) {
+    const auto here = check.linearised(check.x, kind);
+    CHECK(Ldlt(here.hessian).factorise().negative == negative_eigenvalues(dense(here.hessian)));
+  }
 }

@@ -58,9 +58,14 @@ struct Chain {
 /// Where its energy, gradient and Hessian go.
 template <class Space>
 struct ChainRows {
+  using Block = Mat<Space::spin>;
   double* gradient;
   ChainColumns<Space::spin> hessian;
   double energy = 0, magnitude = 0;
+  /// What the first cell does to the frame before it, if that turns as well: gradient and Hessian
+  /// of its turn, and the coupling of this with the chain's first frame.
+  Spin<Space> start = Spin<Space>::Zero();
+  Block start_twice = Block::Zero(), start_first = Block::Zero();
 };
 
 /// L of theory (8), its gradient and Hessian for a chain, in one pass from its end to its start:
@@ -98,6 +103,7 @@ class ChainLinearisation {
       next = {cell.a, cell.aa};
       out_.hessian.set(first, count, cell.ab, row.hessian);
       store(row.gradient, first, count);
+      if (first == 0) keep_start(cell);
     }
     out_.energy = energy.total();
     out_.magnitude = magnitude.total();
@@ -128,6 +134,17 @@ class ChainLinearisation {
     for (Eigen::Index i = 0; i < a.size(); ++i)
       out.data()[i] = pyrod::shifted(a.data()[i], next.data()[i]);
     return out;
+  }
+
+  template <class Real>
+  void keep_start(const TurnJet<Space, Real>& cell) const {
+    for (int k = 0; k < spin; ++k) {
+      out_.start[k] = cell.a[k].values[0];
+      for (int i = 0; i < spin; ++i) {
+        out_.start_twice(i, k) = cell.aa(i, k).values[0];
+        out_.start_first(i, k) = cell.ab(i, k).values[0];
+      }
+    }
   }
 
   template <class Real>

@@ -84,11 +84,11 @@ class NetworkProblem {
     out.energy = out.magnitude = 0;
     Acting changed;
     const Acting& now = loads_.acting(x, changed);
-    const NetworkSpans<Space> spans(layout_, columns_, now.columns);
-    for (int p = 0; p < int(layout_.spans().size()); ++p) spans.template set<kind>(x, p, out);
     const int nodes = layout_.row(layout_.first_node_block()), end = layout_.unknowns();
     out.hessian.set_zero(nodes, end);
     out.gradient.tail(end - nodes).setZero();
+    const NetworkSpans<Space> spans(layout_, columns_, now.columns);
+    for (int p = 0; p < int(layout_.spans().size()); ++p) spans.template set<kind>(x, p, out);
     const NetworkCells<Space> cells(layout_);
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       for (const auto& a : layout_.attached(rod)) cells.template add<kind>(x, a, out);
@@ -189,9 +189,12 @@ void NetworkProblem<Space>::move(const State& x, const Vector& δ, State& out) c
   out.positions = x.positions;
   for (int p = 0; p < int(x.forces.size()); ++p) {
     const auto& span = layout_.spans()[p];
-    const int e = layout_.first_edge(p), edges = span.last - span.first;
-    dispatch(MoveFrames<Space>{edges, x.frames.data() + e, δ.data() + layout_.frame_row(e),
-                               out.frames.data() + e});
+    const int first = layout_.first_edge(p), apart = layout_.apart(p), e = first + apart;
+    if (apart)
+      out.frames[first] =
+          moved(x.frames[first], Spin<Space>(δ.template segment<spin>(layout_.frame_row(first))));
+    dispatch(MoveFrames<Space>{span.last - span.first - apart, x.frames.data() + e,
+                               δ.data() + layout_.frame_row(e), out.frames.data() + e});
     if (span.block >= 0)
       out.forces[p] += span.open * δ.segment(layout_.row(span.block), span.open.cols());
   }

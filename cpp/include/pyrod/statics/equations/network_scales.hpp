@@ -56,7 +56,8 @@ class NetworkScales {
       const int edges = span.last - span.first;
       const double row = ε * (stiffest_[span.rod] + unit * n / (4 * edges));
       most = std::max(most, row);
-      out.segment(layout_.frame_row(layout_.edge(span.rod, span.first)), spin * edges)
+      const int apart = layout_.apart(p);
+      out.segment(layout_.frame_row(layout_.first_edge(p) + apart), spin * (edges - apart))
           .setConstant(row);
       if (span.block >= 0)
         out.segment(layout_.row(span.block), layout_.sizes()[span.block])
@@ -64,6 +65,9 @@ class NetworkScales {
     }
     for (int k = layout_.row(layout_.first_node_block()); k < layout_.unknowns(); ++k)
       out[k] = most;
+    for (int p = 0; p < int(layout_.spans().size()); ++p)
+      if (const int e = layout_.first_edge(p); layout_.apart(p))
+        out.segment<spin>(layout_.frame_row(e)) = out.segment<spin>(layout_.frame_row(e + 1));
   }
 
  private:
@@ -112,7 +116,7 @@ class NetworkScales {
       for (const auto& a : layout_.attached(rod))
         if (a.hinge) set(layout_.hinge_block(a.hinge_number), a.node);
     for (int k = layout_.row(layout_.first_node_block()); k < layout_.unknowns(); ++k)
-      stiffness_[k] = share * units_[k];
+      if (stiffness_[k] == 0) stiffness_[k] = share * units_[k];  // else it is a frame's
   }
 
   /// A span that gives way along itself needs none. One that does not can be straight, so that to

@@ -6,10 +6,9 @@
 #include <pyrod/sparse/block_pattern.hpp>
 #include <pyrod/sparse/block_symmetric.hpp>
 #include <pyrod/statics/unknowns/known_forces.hpp>
+#include <pyrod/statics/unknowns/same_unknowns.hpp>
+#include <pyrod/statics/unknowns/separators.hpp>
 #include <pyrod/statics/unknowns/spans.hpp>
-
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +83,9 @@ class Layout {
   bool clamps(const Attachment<Space>& a) const {
     return a.rigid && !a.hinge && network().nodes[a.node].turns.cols() == 0;
   }
+  /// 1 if the first frame of a span stands by itself, behind all spans; else 0. The others, and
+  /// behind them its force, follow each other.
+  int apart(int p) const { return frame_block_[first_edge(p)] >= first_node_block_; }
   /// The attachment that clamps the start of a span, or null.
   const Attachment<Space>* clamp_of(const Span<Space>& span) const {
     const auto& a = attached(span.rod)[span.attachment];
@@ -92,7 +94,8 @@ class Layout {
   /// Every rod is clamped, and the loads tell all section forces: only frames of edges are unknown,
   /// and they have a potential of their own without any multiplier, Linn B.5.
   bool determinate() const { return determinate_; }
-  /// Blocks before it belong to spans.
+  /// Blocks before it belong to spans, and those from it on to nodes, or to frames that stand by
+  /// themselves.
   int first_node_block() const { return first_node_block_; }
   const BlockPattern& pattern() const { return pattern_; }
   /// Of the blocks.
@@ -110,8 +113,6 @@ class Layout {
  private:
   using Couplings = std::vector<std::pair<int, int>>;
 
-  /// Whether the unknowns are the same, whatever the numbers are.
-  bool has_unknowns_of(const Layout& other) const;
   void take_numbers(Layout&& from);
   void see_whether_determinate();
 
@@ -144,27 +145,29 @@ class Layout {
   }
 
   /// Span by span along each rod: the frames, then the force, so that nothing of it fills the
-  /// frames that follow; the nodes last.
+  /// frames that follow; the nodes last, and frames at which rods are parted.
   void number(Spans<Space>& cut) {
+    const Separators<Space> separators(known_);
     turn_block_.assign(cut.network.nodes.size(), -1);
     place_block_ = turn_block_;
     hinge_block_.assign(cut.hinges, -1);
     frame_block_.assign(edges(), -1);
-    Couplings couplings;
-    for (auto& span : cut.spans) {
-      for (int j = span.first; j < span.last; ++j) {
+    for (int p = 0; p < int(cut.spans.size()); ++p) {
+      auto& span = cut.spans[p];
+      for (int j = span.first + separators.part(p); j < span.last; ++j)
         frame_block_[edge(span.rod, j)] = new_block(spin);
-        if (j > span.first)
-          couplings.emplace_back(frame_block_[edge(span.rod, j - 1)], last_block());
-      }
-      if (span.open.cols() == 0) continue;
-      span.block = new_block(int(span.open.cols()));
-      for (int j = span.first; j < span.last; ++j)
-        couplings.emplace_back(frame_block_[edge(span.rod, j)], span.block);
+      if (span.open.cols() > 0) span.block = new_block(int(span.open.cols()));
     }
-    couple_through_nodes(cut, couplings);
     first_node_block_ = pattern_.blocks();
-    for (const int v : node_order(cut)) number_node(cut, v);
+    const int nodes = int(cut.network.nodes.size());
+    for (const int i : separators.order())
+      if (i < nodes)
+        number_node(cut, i);
+      else
+        frame_block_[first_edge(i - nodes)] = new_block(spin);
+    Couplings couplings;
+    couple_in_spans(cut, couplings);
+    couple_through_nodes(cut, couplings);
     couple_with_nodes(cut, couplings);
     pattern_ = BlockPattern(std::move(pattern_.sizes), couplings);
     rows_.assign(1, 0);
@@ -176,6 +179,16 @@ class Layout {
     return last_block();
   }
   int last_block() const { return pattern_.blocks() - 1; }
+
+  void couple_in_spans(const Spans<Space>& cut, Couplings& couplings) const {
+    for (const auto& span : cut.spans)
+      for (int j = span.first; j < span.last; ++j) {
+        const int here = frame_block_[edge(span.rod, j)];
+        if (j > span.first)
+          couplings.push_back(std::minmax(frame_block_[edge(span.rod, j - 1)], here));
+        if (span.block >= 0) couplings.push_back(std::minmax(here, span.block));
+      }
+  }
 
   void couple_through_nodes(const Spans<Space>& cut, Couplings& couplings) const {
     for (const auto& on : cut.attached)
@@ -197,7 +210,7 @@ class Layout {
 
   void couple_with_nodes(const Spans<Space>& cut, Couplings& couplings) const {
     const auto add = [&](int I, int J) {
-      if (I >= 0) couplings.emplace_back(I, J);
+      if (I >= 0) couplings.push_back(std::minmax(I, J));
     };
     for (const auto& on : cut.attached)
       for (const auto& a : on) {
@@ -216,23 +229,6 @@ class Layout {
     for (const auto& span : cut.spans)
       for (const int v : {span.start, span.end})
         if (place_block_[v] >= 0) add(span.block, place_block_[v]);
-  }
-
-  /// Nodes in the order of approximate minimum degree in the graph of spans.
-  static std::vector<int> node_order(const Spans<Space>& cut) {
-    const int n = int(cut.network.nodes.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int v = 0; v < n; ++v) entries.emplace_back(v, v, 1.);
-    for (const auto& span : cut.spans)
-      if (span.start != span.end) {
-        entries.emplace_back(span.start, span.end, 1.);
-        entries.emplace_back(span.end, span.start, 1.);
-      }
-    Eigen::SparseMatrix<double> graph(n, n);
-    graph.setFromTriplets(entries.begin(), entries.end());
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::AMDOrdering<int>()(graph, order);
-    return {order.indices().begin(), order.indices().end()};
   }
 
   KnownForces<Space> known_;
@@ -255,7 +251,7 @@ Layout<Space>::Layout(Network<Space> network) : known_(std::move(network)) {
 template <class Space>
 Layout<Space>::Layout(Network<Space> network, Layout&& like) : known_(std::move(network)) {
   set_units(known_.cut());
-  if (has_unknowns_of(like))
+  if (same_unknowns(known_, like.known_))
     take_numbers(std::move(like));
   else
     number(known_.cut());
@@ -268,34 +264,6 @@ void Layout<Space>::see_whether_determinate() {
   for (const auto& on : known_.cut().attached)
     determinate_ =
         determinate_ && std::ranges::any_of(on, [&](const auto& a) { return clamps(a); });
-}
-
-template <class Space>
-bool Layout<Space>::has_unknowns_of(const Layout& other) const {
-  const auto same = [](const auto& a, const auto& b, const auto& equal) {
-    return std::ranges::equal(a, b, equal);
-  };
-  const auto& nodes = network().nodes;
-  for (int v = 0; v < int(nodes.size()); ++v)
-    if (v >= int(other.network().nodes.size()) || derived(v) != other.derived(v)) return false;
-  return known_.cut().has_frame == other.known_.cut().has_frame &&
-         same(spans(), other.spans(),
-              [](const auto& a, const auto& b) {
-                return a.rod == b.rod && a.first == b.first && a.last == b.last &&
-                       a.start == b.start && a.end == b.end && a.open.cols() == b.open.cols();
-              }) &&
-         same(nodes, other.network().nodes,
-              [](const auto& a, const auto& b) {
-                return a.free.cols() == b.free.cols() && a.turns.cols() == b.turns.cols();
-              }) &&
-         same(known_.cut().attached, other.known_.cut().attached,
-              [&](const auto& on, const auto& like) {
-                return same(on, like, [](const auto& a, const auto& b) {
-                  return a.vertex == b.vertex && a.node == b.node && a.rigid == b.rigid &&
-                         a.hinge.has_value() == b.hinge.has_value() &&
-                         a.hinge_number == b.hinge_number;
-                });
-              });
 }
 
 template <class Space>
