@@ -127,13 +127,12 @@ void iteration(int n) {
                         factor.factorise();
                         factor.solve(at.here.gradient, δ);
                       });
-  const double call =
-      seconds(
-          [&] {
-            const Posed<Spatial> posed(net);
-            told(posed, find<Spatial>(posed, {}, {}, {}, {}));
-          },
-          3);
+  const double call = seconds(
+      [&] {
+        const Posed<Spatial> posed(net);
+        told(posed, find<Spatial>(posed, {}, {}, {}, {}));
+      },
+      3);
   std::printf("%8d %6.0f %7.0f %6.0f %5.0f %6.0f %6.0f %6.2f %6.2f %4d %9.3f\n", n, evaluate,
               factorise, solve, move, all, bare, all / bare, at.result.fill,
               int(at.result.record.size()), 1e3 * call);

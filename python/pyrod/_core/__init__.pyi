@@ -230,6 +230,8 @@ class Equilibrium:
     """
     A scene, solved.
     """
+    def rod(self, number: typing.SupportsInt | typing.SupportsIndex) -> RodSolution:
+        ...
     @property
     def accuracy(self) -> typing.Any:
         ...
@@ -271,9 +273,6 @@ class Equilibrium:
         ...
     @property
     def residual(self) -> float:
-        ...
-    @property
-    def rods(self) -> tuple:
         ...
     @property
     def status(self) -> str:
@@ -325,7 +324,11 @@ class Solver:
     """
     def __init__(self, scene: Scene) -> None:
         ...
-    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity]], options: Options, tol: typing.SupportsFloat | typing.SupportsIndex | None, stable: bool, eigenvalue: bool) -> Equilibrium:
+    def forget(self) -> None:
+        ...
+    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity]], options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
+        ...
+    def solve_numbers(self, numbers: list, options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...
 def breaks(function: collections.abc.Callable, length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[tuple, bool]:
     """

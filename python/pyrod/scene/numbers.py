@@ -88,7 +88,8 @@ class NewNumbers:
             return None
         part = getattr(self._base, kind)[which]
         name = rest[0]
-        if name not in entries_of(type(part)) or (kind == "supports" and name != "position"):
+        kind_of_part: Any = type(part)
+        if name not in entries_of(kind_of_part) or (kind == "supports" and name != "position"):
             return None
         old = getattr(part, name)
         if not isinstance(old, np.ndarray) or old.shape != (3,):

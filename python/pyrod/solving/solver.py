@@ -113,9 +113,9 @@ class Solver:
             scene = changes
         else:
             scene, new = changed(self.scene, changes)
-        parts = compiled_parts(new or {})
-        given = compiled_of(scene) if new is None else None
-        found = self._solver.solve(given, *parts, *self._how)
+        rods, supports, joints, loads = compiled_parts(new or {})
+        given: Any = compiled_of(scene) if new is None else None
+        found = self._solver.solve(given, rods, supports, joints, loads, *self._how)
         self._numbers = NewNumbers(scene)
         return equilibrium_of(scene, found, self._how, perf_counter() - began)
 
