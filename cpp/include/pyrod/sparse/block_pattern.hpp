@@ -29,7 +29,7 @@ struct BlockPattern {
     for (std::size_t J = 0; J < sizes.size(); ++J) {
       const auto first = above.begin() + (J == 0 ? 0 : place[J - 1]),
                  end = above.begin() + place[J];
-      std::sort(first, end);
+      if (end - first > 1) std::sort(first, end);
       kept = std::copy(first, std::unique(first, end), kept);
       starts.push_back(int(kept - above.begin()));
     }

@@ -152,6 +152,7 @@ class Layout {
     place_block_ = turn_block_;
     hinge_block_.assign(cut.hinges, -1);
     frame_block_.assign(edges(), -1);
+    pattern_.sizes.reserve(std::size_t(edges()) + cut.spans.size() + 2 * cut.network.nodes.size());
     for (int p = 0; p < int(cut.spans.size()); ++p) {
       auto& span = cut.spans[p];
       for (int j = span.first + separators.part(p); j < span.last; ++j)
@@ -166,6 +167,7 @@ class Layout {
       else
         frame_block_[first_edge(i - nodes)] = new_block(spin);
     Couplings couplings;
+    couplings.reserve(std::size_t(2 * edges()));
     couple_in_spans(cut, couplings);
     couple_through_nodes(cut, couplings);
     couple_with_nodes(cut, couplings);
