@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Changes of equilibria against differences of equilibria, and forward against backward.
+#include "support/allocations.hpp"
 #include "support/difference.hpp"
 #include "support/models.hpp"
 #include "support/near.hpp"
@@ -211,4 +212,32 @@ TEST_CASE_TEMPLATE("changes of a network are those of its equilibria", Space, EA
     CAPTURE(acting.closed);
     for (const What what : kinds) check<Space>(net, what);
   }
+}
+
+TEST_CASE_TEMPLATE("after the first product nothing is allocated", Space, EACH_SPACE) {
+  Random random(8);
+  const Balanced<Space> base(random_network<Space>(random, {}));
+  LinearResponse<Space> linear(base.posed.problem(), base.x);
+  auto numbers = linear.no_numbers(), gradient = numbers;
+  for (auto& one : numbers.reshaped()) one = random.number();
+  auto change = linear.no_change(), weights = change;
+  for (auto& w : weights.positions.reshaped()) w = random.number();
+  linear.push(numbers, change), linear.pull(weights, gradient);
+  const auto before = allocations();
+  Eigen::internal::set_is_malloc_allowed(false);
+  linear.push(numbers, change), linear.pull(weights, gradient);
+  Eigen::internal::set_is_malloc_allowed(true);
+  CHECK(allocations() == before);
+}
+
+TEST_CASE("the tangent's transpose is that of the solver's product") {
+  Random random(8);
+  const Balanced<Spatial> base(random_network<Spatial>(random, {true, true}));
+  LinearResponse<Spatial> linear(base.posed.problem(), base.x);
+  const int size = base.posed.layout().unknowns();
+  const Vector v = random.vector(size), w = random.vector(size);
+  Vector Zv, Ztw;
+  base.posed.problem().multiply_skew(base.x, v, Zv);
+  linear.multiply_skew(w, Ztw, true);
+  CHECK(std::abs(w.dot(Zv) - Ztw.dot(v)) < 1e-13 * w.norm() * Zv.norm());
 }

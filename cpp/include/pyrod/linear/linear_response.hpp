@@ -78,6 +78,9 @@ class LinearResponse {
   /// The eigenvalue of the softest mode over the stiffness of the rods, if it is soft.
   std::optional<double> softest() const { return softest_; }
 
+  /// out = Z v, the tangent beside its symmetric part, or Zᵀ v.
+  void multiply_skew(const Vector& v, Vector& out, bool transposed);
+
   /// Whether the tangent is symmetric.
   bool symmetric() const { return !skew_; }
 
@@ -87,7 +90,6 @@ class LinearResponse {
   void forget_forces(Change& out) const;
   void follow(const Items<Space>& turns, Items<Space>& forces, bool transposed) const;
   void solve(const Vector& b, Vector& x, bool transposed);
-  void multiply_skew(const Vector& v, Vector& out, bool transposed);
   void push_state(const Vector& δ, Items<Space>& state);
 
   const NetworkProblem<Space>& problem_;
