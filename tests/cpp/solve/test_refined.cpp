@@ -56,6 +56,9 @@ TEST_CASE("tangents that are not symmetric, and their transposes") {
     CHECK(done);
     CHECK(distance(x, solve_dense(K + part, b)) < 1e-11 * x.norm());
     CHECK(system.products > 0);
+    const auto [still, nothing] = system.solved(Vector::Zero(10));
+    CHECK(still);
+    CHECK(nothing.isZero(0));
   }
 }
 

@@ -121,6 +121,8 @@ def moved(scene: Scene, path: str, change: Array) -> Scene:
         return changed(scene, {path: float(value + change)})[0]
     kind, number, name = path.split(".")
     value = getattr(getattr(scene, kind)[int(number)], name)
+    if value is None:
+        value = scene._compiled.held(int(number))[0]
     new = value + change
     return changed(scene, {path: new if np.ndim(new) else float(new)})[0]
 

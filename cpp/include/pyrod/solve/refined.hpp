@@ -2,15 +2,14 @@
 /// \file Linear systems with the tangent itself, by the factor of one that is shifted a little. It
 /// knows no rods.
 ///
-/// What the shifts leave undone is refined with the true matrix: a residual falls by shift over
-/// lowest eigenvalue each time. Where that is not enough, or the tangent is not symmetric, GMRES
-/// goes on. What is not solved in the end is told: the matrix is singular, to the digits there are.
+/// What a shift leaves undone is the shift times the solution, and is solved for again: it falls by
+/// shift over lowest eigenvalue each time. Where that is not enough, or the tangent is not
+/// symmetric, GMRES goes on. What is not solved in the end is told: the matrix is singular, to the
+/// digits there are.
 #pragma once
 
 #include <pyrod/core/types.hpp>
 #include <pyrod/solve/shifted_factor.hpp>
-
-#include <limits>
 
 namespace pyrod {
 
@@ -20,57 +19,62 @@ class Refined {
   explicit Refined(ShiftedFactor& factor) : factor_(factor) {}
 
   /// (K + Z) x = b where `rest(v, out)` gives Z v; `skew`: whether there is any Z. Returns whether
-  /// that was solved to nearly all digits.
+  /// that was solved.
   template <class Rest>
   bool solve(const Rest& rest, bool skew, const Vector& b, Vector& x) {
-    factor_.solve(b, x);
-    if (!skew && refine(rest, skew, b, x)) return true;
-    factor_.solve(b, x);
-    factor_.correct_all(rest, x);
-    for (int i = 0; i < 3; ++i) {
-      find_left(rest, skew, b, x);
-      factor_.solve(left_, step_);
-      if (size(step_) <= 1e-14 * size(x)) break;
-      factor_.correct_all(rest, step_);
+    factor_.solve(b, first_);
+    if (!skew && summed(x)) return true;
+    const auto rest_or_none = [&](const Vector& v, Vector& out) {
+      if (skew)
+        rest(v, out);
+      else
+        out.setZero(v.size());
+    };
+    x = first_;
+    factor_.correct_all(rest_or_none, x);
+    for (int i = 0; i < 2 && find_left(rest_or_none, x) > 1e-14 * size(x); ++i) {
+      factor_.correct_all(rest_or_none, step_);
       x += step_;
     }
-    find_left(rest, skew, b, x);
-    factor_.solve(left_, step_);
-    return size(step_) <= 1e-9 * size(x);
+    // of a singular matrix that is not quite, by rounding, the solution is anything, and huge
+    return size(x) <= most_ * size(first_) && find_left(rest_or_none, x) <= 1e-9 * size(x);
   }
 
  private:
+  static constexpr double most_ = 1e6;
+
   static double size(const Vector& v) { return v.lpNorm<Eigen::Infinity>(); }
 
-  /// What is left of b.
-  template <class Rest>
-  void find_left(const Rest& rest, bool skew, const Vector& b, const Vector& x) {
-    factor_.matrix().multiply(x, left_);
-    if (skew) {
-      rest(x, step_);
-      left_ += step_;
-    }
-    left_ = b - left_;
-  }
-
-  /// Whether what is left fell fast, until nothing was.
-  template <class Rest>
-  bool refine(const Rest& rest, bool skew, const Vector& b, Vector& x) {
-    double before = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 8; ++i) {
-      find_left(rest, skew, b, x);
-      factor_.solve(left_, step_);
-      const double now = size(step_), all = size(x);
-      if (now <= 1e-15 * all) return true;
-      if (!(now <= 0.1 * before)) return now <= 1e-12 * all;  // of rounding, or too slow
+  /// With D added, F = K + D: what F⁻¹ b leaves of K x = b is D F⁻¹ b, what the next term leaves is
+  /// D times that, and so on. Nothing is lost to differences, which in fine rods are all rounding.
+  /// Whether the terms fell fast, until nothing was left.
+  bool summed(Vector& x) {
+    x = step_ = first_;
+    for (int i = 0; i < 16; ++i) {
+      const double before = size(step_);
+      step_ = factor_.shift().cwiseProduct(step_);
+      if (step_.isZero(0)) return true;
+      factor_.solve(step_, step_);
+      const double now = size(step_);
+      if (!(now <= 0.3 * before)) return false;
       x += step_;
-      before = now;
+      if (now <= 1e-17 * size(x)) return true;
     }
     return false;
   }
 
+  /// What is left of x = F⁻¹ b − F⁻¹ (Z − D) x; its size.
+  template <class Rest>
+  double find_left(const Rest& rest, const Vector& x) {
+    rest(x, step_);
+    step_ -= factor_.shift().cwiseProduct(x);
+    factor_.solve(step_, step_);
+    step_ = first_ - x - step_;
+    return size(step_);
+  }
+
   ShiftedFactor& factor_;
-  Vector left_, step_;
+  Vector first_, step_;
 };
 
 }  // namespace pyrod
