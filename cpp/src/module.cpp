@@ -40,6 +40,7 @@ PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   pyrod::bind::parts(module);
   pyrod::bind::equilibrium(module);
   pyrod::bind::scene(module);
+  pyrod::bind::linear(module);
   module.def("build", &pyrod::bind::build,
              "Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.");
 }

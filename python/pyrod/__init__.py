@@ -13,6 +13,7 @@ from pyrod.base.folders import get_cmake_dir, get_include
 from pyrod.curve._warning import CurveWarning
 from pyrod.document.errors import SceneFileError
 from pyrod.files import load, save
+from pyrod.linear import Linearised, Modes, SingularEquilibrium, linearised
 from pyrod.models.choice import Choice, smallest_model
 from pyrod.models.effects import Effect, effect, out_of_plane_index
 from pyrod.models.solve import solve
@@ -57,7 +58,9 @@ __all__ = [
     "Gravity",
     "Hinge",
     "Joint",
+    "Linearised",
     "Material",
+    "Modes",
     "Moment",
     "NotConverged",
     "Options",
@@ -70,6 +73,7 @@ __all__ = [
     "Scene",
     "SceneFileError",
     "Section",
+    "SingularEquilibrium",
     "Sleeve",
     "Slider",
     "Solver",
@@ -83,6 +87,7 @@ __all__ = [
     "get_cmake_dir",
     "get_include",
     "is_planar",
+    "linearised",
     "load",
     "out_of_plane_index",
     "rotation",

@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'natural_edges', 'rotation', 'section', 'solve_all']
+__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
@@ -330,6 +330,31 @@ class Solver:
         ...
     def solve_numbers(self, numbers: list, options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...
+class SingularEquilibrium(ArithmeticError):
+    pass
+class Linearised:
+    """
+    How an equilibrium answers to small changes.
+    """
+    def __init__(self, scene: Scene, near: Equilibrium) -> None:
+        ...
+    def numbers(self, scene: Scene) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    def of_forces(self, forces: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64]]) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    def of_motion(self, support: typing.SupportsInt | typing.SupportsIndex, shift: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], turn: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    def of_rod(self, rod: typing.SupportsInt | typing.SupportsIndex, bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    def pull(self, arg0: dict) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    def push(self, numbers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> dict:
+        ...
+    def to_rod(self, arg0: typing.SupportsInt | typing.SupportsIndex, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> tuple:
+        ...
+    @property
+    def symmetric(self) -> bool:
+        ...
 def breaks(function: collections.abc.Callable, length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[tuple, bool]:
     """
     Where a function of arc length jumps or has kinks, and whether there is more of that.
@@ -338,6 +363,8 @@ def build() -> dict:
     """
     Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.
     """
+def limit(grids: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64]], even: bool, noise: typing.SupportsFloat | typing.SupportsIndex) -> tuple:
+    ...
 def natural_edges(length: typing.SupportsFloat | typing.SupportsIndex, curvature: typing.Any) -> float:
     ...
 def solve_all(scenes: collections.abc.Sequence[Scene], starts: list, options: Options, tol: typing.SupportsFloat | typing.SupportsIndex | None, stable: bool, eigenvalue: bool, threads: typing.SupportsInt | typing.SupportsIndex, progress: collections.abc.Callable | None) -> list[Equilibrium]:

@@ -20,6 +20,7 @@ BELOW = {
     "sparse": {"core"},
     "solve": {"core", "sparse"},
     "statics": {"core", "rotation", "curve", "rod", "scene", "sparse", "solve"},
+    "linear": {"core", "rotation", "curve", "rod", "scene", "sparse", "solve", "statics"},
 }
 """Folders, and those that they may include besides themselves."""
 ROOMS = ("unknowns", "equations", "solution", "start", "solving", "ladder", "")

@@ -106,6 +106,20 @@ class ShiftedFactor {
     SkewCorrected(factor_, difference, x.size()).correct(x);
   }
 
+  /// All that is added to K in what is factorised.
+  const Vector& shift() const { return shift_; }
+
+  /// Overwrites x, which the factor gives for some b, by the solution of (K + Z) x = b, without
+  /// anything that is added, where `rest(v, out)` gives Z v; by GMRES.
+  template <class Rest>
+  void correct_all(const Rest& rest, Vector& x) {
+    const auto difference = [&](const Vector& v, Vector& out) {
+      rest(v, out);
+      out -= shift_.cwiseProduct(v);
+    };
+    SkewCorrected(factor_, difference, x.size()).correct(x);
+  }
+
   std::size_t bytes() const {
     return factor_.bytes() + std::size_t(7 * stiffness_.size()) * sizeof(double);
   }
@@ -119,6 +133,7 @@ class ShiftedFactor {
   /// Factorises K alone, if that can be.
   bool as_it_is() {
     inertia_ = factor_.factorise();
+    shift_ = Vector::Zero(stiffness_.size());
     if (!broken()) return true;
     soften();
     return false;

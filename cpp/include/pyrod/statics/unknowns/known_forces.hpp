@@ -94,6 +94,14 @@ class KnownForces {
   /// The position of the node follows from that of others.
   bool derived(int node) const { return derived_[node]; }
 
+  /// One step of telling forces: Σ n − P = 0 at the node, solved for the span's force.
+  struct Step {
+    int node, span;
+    Mat<dim> solve;
+  };
+  /// In the order in which they tell.
+  const std::vector<Step>& steps() const { return steps_; }
+
  private:
   using D = Directions<dim>;
 
@@ -199,12 +207,6 @@ class KnownForces {
     span.open = detail::kernel_within<dim>(span.open, F.transpose());
     return true;
   }
-
-  /// One step of telling forces: Σ n − P = 0 at the node, solved for the span's force.
-  struct Step {
-    int node, span;
-    Mat<dim> solve;
-  };
 
   Spans<Space> cut_;
   std::vector<char> derived_;

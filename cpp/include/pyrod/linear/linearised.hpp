@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// \file How the equilibrium of a scene answers to small changes of the scene.
+#pragma once
+
+#include <pyrod/core/types.hpp>
+#include <pyrod/linear/scene_change.hpp>
+#include <pyrod/statics/equilibrium.hpp>
+#include <pyrod/statics/solver.hpp>
+
+#include <concepts>
+#include <memory>
+#include <vector>
+
+namespace pyrod {
+
+/// Made from an equilibrium when it is asked for, on the edges of the scene: on those the state is
+/// taken to rounding, evaluated and factorised once. Then every product is one solve and sums.
+///
+/// A change of the scene is a vector of *numbers*: the difference of those of two scenes that are
+/// like this one, or what the makers below give. Not for several threads at once. A template, so
+/// that only who asks compiles it. `S`: `Settings`.
+template <std::same_as<Settings> S>
+class LinearisedScene {
+ public:
+  /// `near`: an equilibrium of that scene, with a tolerance or without. Throws `InvalidArgument` if
+  /// there is none, and `SingularEquilibrium` where there are no derivatives.
+  LinearisedScene(const SceneSolver<S>& scene, const Equilibrium& near);
+
+  /// Numbers of a scene that differs from this one in numbers only. Frames of supports and joints
+  /// are told as turns from this one's.
+  Vector numbers(const SceneSolver<S>& like) const;
+  /// Of dead forces on the vertices of every rod.
+  Vector of_forces(const std::vector<std::vector<Vec3>>& forces) const;
+  /// Of a motion of a support: of its point, and of its frame by a rotation vector, both in space.
+  Vector of_motion(int support, const Vec3& shift, const Vec3& turn) const;
+  /// Of what a rod has along it, places of supports and joints staying where they are.
+  Vector of_rod(int rod, const RodFields& fields) const;
+  /// The transpose.
+  RodFields to_rod(int rod, const Vector& numbers) const;
+
+  /// What a change of the numbers does: the derivative along it.
+  SceneChange push(const Vector& numbers) const;
+  /// The gradient of Σ weights·told in all numbers: the adjoint.
+  Vector pull(const SceneChange& weights) const;
+
+  /// Zeros.
+  SceneChange empty() const;
+  /// Whether all loads have a potential: then compliances are symmetric.
+  bool symmetric() const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<Parts> parts_;
+};
+
+using Linearised = LinearisedScene<Settings>;
+
+#ifdef PYROD_COMPILED
+extern template class LinearisedScene<Settings>;
+#endif
+
+}  // namespace pyrod
+
+#ifndef PYROD_COMPILED
+#include <pyrod/linear/linearised_parts.hpp>
+#endif

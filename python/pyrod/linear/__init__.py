@@ -1,0 +1,7 @@
+"""How equilibria answer to small changes: exact derivatives, compliance, vibration."""
+
+from pyrod._core import SingularEquilibrium
+from pyrod.linear.response import Linearised, linearised
+from pyrod.linear.vibration import Modes
+
+__all__ = ["Linearised", "Modes", "SingularEquilibrium", "linearised"]

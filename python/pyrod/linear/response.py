@@ -1,0 +1,170 @@
+"""The linear response of an equilibrium."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pyrod.base.immutable import Array
+from pyrod.base.optional import need
+from pyrod.linear.grid import Grid
+from pyrod.linear.numbers import all_paths
+from pyrod.linear.rungs import Rungs, refuse_fields, refuse_of_one_grid
+from pyrod.linear.told import Told
+from pyrod.linear.vibration import Modes, modes_of
+from pyrod.result.equilibrium import Equilibrium
+from pyrod.rod.place import Place
+
+
+def linearised(result: Equilibrium) -> Linearised:
+    """How an equilibrium answers to small changes of its scene, exactly, at the price of a solve of
+    one linear system each.
+
+    Of a result without a tolerance, those of the equilibrium on its own edges. Of one with, what
+    those on its edges, on these halved, and so on tend to, with errors of their own.
+
+    Parameters
+    ----------
+    result : Equilibrium
+        Converged; any, stable or not.
+
+    Raises
+    ------
+    ValueError
+        It is no equilibrium.
+    SingularEquilibrium
+        A mode has no stiffness: at a critical load, or where something may move freely.
+    """
+    return Linearised(result)
+
+
+class Linearised:
+    """Derivatives of an equilibrium; make one with `linearised`.
+
+    Names of outputs are those of results: ``"positions"``, ``"frames"`` (of edges) and
+    ``"vertex_frames"``, both as rotation vectors in the components of the frame,
+    ``R <- R exp(phi)``; ``"rotations"`` of the vertices in space, what moments work on;
+    ``"K"``, ``"moment"``, ``"Gamma"``, ``"force"``; ``"tip"``, ``"tip_frame"``; ``"energy"``;
+    ``"reactions.0.force"`` and ``"reactions.0.moment"``. With several rods say
+    ``"rods.1.positions"``. NaN is told where there is no derivative, or where it is not known: at
+    vertices where a section jumps or a moment acts that no node takes, and for forces that are not
+    determined.
+
+    Names of what changes are the paths of scenes, as in `sweep`: ``"loads.0.force"``,
+    ``"supports.1.position"``, ``"supports.1.frame"`` (a rotation vector in its components),
+    ``"supports.1.turns"``, ``"rods.0.K0"``, ``"rods.0.bending"``, ``"rods.0.edge_lengths"``.
+    """
+
+    def __init__(self, result: Equilibrium) -> None:
+        self.result = result
+        self.scene = result.scene
+        self.errors: dict[str, float] = {}
+        """Estimates of the errors of what was asked for last, if the result has a tolerance: of the
+        arrays of each name, relative to the largest of their numbers."""
+        self._grid = Grid(result)
+        self._rungs = Rungs(self._grid, self.errors)
+
+    # Products -------------------------------------------------------------------------------------
+
+    def jvp(self, changes: Mapping[str, Any]) -> Told:
+        """What a small change of the scene does: derivatives of all outputs along it."""
+        if not changes:
+            raise ValueError("jvp: expected changes by their paths, got none")
+        if not self._rungs.climbs:
+            return self._grid.jvp(changes)
+        refuse_fields(self._grid.entry(path) for path in changes)
+        return Told(self._rungs.told(lambda grid: grid.jvp(changes)), self.scene)
+
+    def vjp(
+        self, weights: Mapping[str, Any], wrt: str | Iterable[str] | None = None
+    ) -> dict[str, Array]:
+        """The gradient of a weighted sum of outputs, in all that the scene consists of at once.
+
+        Parameters
+        ----------
+        weights : dict
+            By names of outputs, arrays of their shapes.
+        wrt : paths
+            Default: stiffnesses and curvatures of all rods, loads, and supports.
+        """
+        if self._rungs.climbs:
+            raise ValueError(
+                "vjp: weights belong to one grid; solve without a tolerance, or ask for jacobian"
+            )
+        return self._grid.vjp(weights, all_paths(self.scene) if wrt is None else _paths_of(wrt))
+
+    def jacobian(self, output: str, wrt: str | Iterable[str]) -> dict[str, Array]:
+        """Derivatives of an output, by path: the shape of the output, then that of the entry.
+
+        In planar scenes changes that leave the plane have none: NaN.
+        """
+        paths = _paths_of(wrt)
+        if not self._rungs.climbs:
+            return self._grid.jacobian(output, paths)
+        refuse_fields(self._grid.entry(path) for path in paths)
+        refuse_of_one_grid(self.scene, output)
+        return self._rungs.limits(lambda grid: grid.jacobian(output, paths))
+
+    def operator(self, output: str, wrt: str) -> Any:
+        """The same as a `scipy.sparse.linalg.LinearOperator`, of flat arrays, never formed."""
+        linalg = need("scipy.sparse.linalg", "all")
+        shape, entry = self._grid.shape(output), self._grid.entry(wrt)
+
+        def forward(v: Array) -> Array:
+            return np.reshape(self.jvp({wrt: np.reshape(v, entry.shape)})[output], -1)
+
+        def backward(w: Array) -> Array:
+            return self.vjp({output: np.reshape(w, shape)}, wrt)[wrt].reshape(-1)
+
+        size = (int(np.prod(shape)), entry.size)
+        return linalg.LinearOperator(size, matvec=forward, rmatvec=backward, dtype=np.float64)
+
+    # Compliance, stiffness, vibration -------------------------------------------------------------
+
+    def compliance(self, at: Place = "end") -> Array:
+        """(6, 6) displacement [m] and rotation vector [rad] of a place under unit force and moment
+        there, dead, all in space.
+
+        The rotation of a vertex is what a moment works on: the mean of those of the edges beside,
+        as by a lever, or that of the node that holds it. ``at`` must be a vertex. In planar scenes
+        columns of loads that leave the plane are NaN.
+        """
+        rod, vertex = self.scene._compiled.vertex(at)
+        s = self.scene.rods[rod].arc_lengths[vertex]
+        place = at[1] if isinstance(at, tuple) else at
+        if not isinstance(place, str) and abs(place - s) > 1e-9 * self.scene.rods[rod].length:
+            raise ValueError(f"at: there is no vertex at {place:g}; the nearest is at {s:g}")
+        return self._rungs.limit("compliance", lambda grid: grid.compliance(at))
+
+    def stiffness(self, support: int = 0) -> Array:
+        """(6, 6) changes of the force and the moment that a support exerts, about its own point,
+        under unit motions of it: of its point, and of its frame about the axes of space.
+
+        Columns of what the support leaves free are zero.
+        """
+        if not 0 <= support < len(self.scene.supports):
+            raise ValueError(f"support: there are {len(self.scene.supports)}, got {support}")
+        return self._rungs.limit("stiffness", lambda grid: grid.stiffness(support))
+
+    def modes(self, count: int = 6) -> Modes:
+        """The lowest modes of vibration about the equilibrium, see `Modes`."""
+        modes = modes_of(self._grid, count)
+        if not self._rungs.climbs:
+            return modes
+        names = [str(i) for i in range(count)]
+        limits = self._rungs.limits(
+            lambda grid: dict(zip(names, modes_of(grid, count).frequencies, strict=True))
+        )
+        told = np.array([limits[name] for name in names], dtype=float)
+        errors = np.abs(told) * [self.errors.pop(name) for name in names]
+        return replace(modes, frequencies=told, errors=errors)
+
+    def __repr__(self) -> str:
+        return f"Linearised({self.scene!r})"
+
+
+def _paths_of(wrt: str | Iterable[str]) -> list[str]:
+    return [wrt] if isinstance(wrt, str) else list(wrt)
