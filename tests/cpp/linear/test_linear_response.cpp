@@ -32,9 +32,10 @@ struct Balanced {
     any.stable = near == nullptr;
     NetworkSolver<Space> solver(posed, options, any, untraced);
     const StateNear<Space> starts(posed.layout(), posed.here(), net.nodes.size());
-    found = near ? solver.solve(starts.state(*near)) : solver.solve();
-    x = solver.state();
-    REQUIRE(found.converged());
+    auto reached = near ? solver.find(starts.state(*near)) : solver.find();
+    REQUIRE(reached.converged());
+    found = told(posed, reached);
+    x = std::move(reached.state);
   }
 };
 

@@ -120,7 +120,7 @@ class ResponseInSpace {
     Options options;
     options.tolerance = 1e-9;
     Newton<NetworkProblem<Space>> newton(posed_->problem(), options, {}, false);
-    auto found = newton.solve(starts.state(start_from(near.found.rods, ready.network().network)),
+    auto found = newton.solve(starts.state(start_from(near.rods(), ready.network().network)),
                               Hessian::exact, true);
     require(found.converged(), "linearised: there is no equilibrium of these edges here, ",
             advice(found.status));
