@@ -6,7 +6,7 @@
 /// minimum on the constraints exactly if the matrix has one negative pivot for each multiplier; if
 /// it has not, the primal rows are shifted until it has. Progress is measured by the augmented
 /// Lagrangian with the new multipliers, which without any is the energy, or by the next simplified
-/// step. Included by newton.hpp, with the definitions of the search along a step.
+/// step. Included by newton.hpp, with the definitions of steps and of the search along them.
 #pragma once
 
 #include <pyrod/core/hessian.hpp>
@@ -136,66 +136,20 @@ class Newton {
 
   /// δ, of which the primal part may be cut and the multipliers are always taken whole. False if
   /// numbers fail.
-  bool find_step(Iteration& now) {
-    factorise(anchor_.weight(), now);
-    now.shift = 0;
-    const bool potential = problem_.conservative();
-    if (std::isfinite(now.step) && kind_ == Hessian::exact &&
-        (!potential || falls_short(now.step <= options_.tolerance)))
-      correct_step(now);
-    if (usable(now) && (!potential || !minimum_ || factor_.index() == 0 ||
-                        now.step <= options_.tolerance || rounded()))
-      return true;
-    double σ = first_shift();
-    const double growth = tangent_.constrained() ? 4 : 3;
-    for (int i = 0; i < 40 && std::isfinite(σ); ++i, σ *= growth) {
-      factorise(σ, now);
-      if (usable(now) && factor_.index() == 0) return true;
-    }
-    return false;
-  }
-
+  bool find_step(Iteration& now);
   /// A step that is not too long for what the exact Hessian can tell. A shift makes it shorter, and
   /// leads to a minimum; it is cut instead where constraints hold, which a shift would leave open,
   /// where the Hessian tells a part only, and where any equilibrium will do.
-  bool usable(const Iteration& now) const {
-    const bool cut =
-        tangent_.constrained() || !problem_.conservative() || !minimum_ || kind_ == Hessian::convex;
-    return std::isfinite(now.step) && (cut || now.step <= options_.trust);
-  }
-
+  bool usable(const Iteration& now) const;
   /// Of the stiffness; without constraints such that by itself it lets no step be much too long.
-  double first_shift() const {
-    if (tangent_.constrained()) return 1e-3;
-    return 0.3 * largest(here().gradient.cwiseQuotient(factor_.stiffness())) / options_.trust;
-  }
-
+  double first_shift() const;
   bool falls_short(bool last) {
     return tests_.falls_short(factor_, δ_, last ? &tangent_.rounding(x_) : nullptr);
   }
-
   /// The step that leaves none of the gaps open.
-  void correct_step(Iteration& now) {
-    if (problem_.conservative())
-      trial_ = -pull(), factor_.correct(trial_, δ_);
-    else
-      tangent_.correct(x_, δ_);
-    split_step();
-    now.step = δ_.allFinite() ? largest(primal_) : std::numeric_limits<double>::infinity();
-  }
-
+  void correct_step(Iteration& now);
   /// δ = −(K + σ U)⁻¹ g, U the stiffness.
-  void factorise(double σ, Iteration& now) {
-    factor_.factorise(σ);
-    ++now.factorisations;
-    now.shift = σ * problem_.unit_energy();
-    now.step = std::numeric_limits<double>::infinity();
-    if (factor_.broken()) return;
-    factor_.solve(pull(), δ_);
-    δ_ = -δ_;
-    split_step();
-    if (δ_.allFinite()) now.step = largest(primal_);
-  }
+  void factorise(double σ, Iteration& now);
 
   const Vector& pull() { return anchor_.pull(here().gradient, factor_.stiffness()); }
 
