@@ -43,6 +43,7 @@ py::dict record(const std::vector<Iteration>& lines) {
   out["fraction"] = column([](const I& i) { return i.fraction; });
   out["shift"] = column([](const I& i) { return i.shift; });
   out["factorisations"] = column([](const I& i) { return i.factorisations; });
+  out["unknowns"] = column([](const I& i) { return i.unknowns; });
   return out;
 }
 

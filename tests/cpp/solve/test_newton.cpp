@@ -306,3 +306,62 @@ TEST_CASE("every status has a name and advice of its own") {
       }
   }
 }
+
+TEST_CASE("the last step is taken with the factor of the step before, and is as good") {
+  for (const double away : {5e-5, 1e-5, 1e-6, 1e-7}) {
+    CAPTURE(away);
+    const auto result = solved(double_wells(3), Vec3(1 + away, -1 + away / 2, 1 - away));
+    REQUIRE(result.converged());
+    REQUIRE(result.iterations() == 2);
+    CHECK(result.record[0].factorisations == 1);
+    CHECK(result.record[0].step == doctest::Approx(away).epsilon(1e-3));
+    CHECK(result.record[1].factorisations == 0);
+    CHECK(result.record[1].fraction == 1);
+    CHECK(result.record[1].unknowns == 3);
+    CHECK(distance(result.state, Vec3(1, -1, 1)) < 1e-15);
+    CHECK(result.index == 0);
+  }
+  // farther away the factor would leave too much
+  const auto result = solved(double_wells(1), Vector::Constant(1, 1.01));
+  for (const auto& i : result.record)
+    if (i.step > Options().tolerance) CHECK(i.factorisations == 1);
+  CHECK(distance(result.state, Vector::Ones(1)) < 1e-15);
+}
+
+TEST_CASE("what the factor before leaves is made up for, or the step is found anew") {
+  // ½ x² + b x³/6: within a short step K changes by much
+  for (const double b : {1e2, 1e3, 3e4}) {
+    CAPTURE(b);
+    const FlatProblem problem{
+        1, [=](const Vector& x) { return x[0] * x[0] / 2 + b * x[0] * x[0] * x[0] / 6; },
+        [=](const Vector& x) -> Vector { return Vector::Constant(1, x[0] + b * x[0] * x[0] / 2); },
+        [=](const Vector& x) -> Dense { return Dense::Constant(1, 1, 1 + b * x[0]); }};
+    const auto result = solved(problem, Vector::Constant(1, 1e-5));
+    REQUIRE(result.converged());
+    const double tolerance = Options().tolerance;  // of whose square the error is to be
+    CHECK(std::abs(result.state[0]) <= b * tolerance * tolerance);
+  }
+}
+
+TEST_CASE("a mode that changes sides within the last steps is counted where the solve ends") {
+  // ½ (x − 1)² + ½ (c − x) y²: beyond x = c the stiffness of y is negative
+  const auto problem = [](double c) {
+    return FlatProblem{
+        2,
+        [=](const Vector& v) { return (v[0] - 1) * (v[0] - 1) / 2 + (c - v[0]) * v[1] * v[1] / 2; },
+        [=](const Vector& v) -> Vector {
+          return Vec<2>(v[0] - 1 - v[1] * v[1] / 2, (c - v[0]) * v[1]);
+        },
+        [=](const Vector& v) -> Dense {
+          Mat<2> H;
+          H << 1, -v[1], -v[1], c - v[0];
+          return H;
+        }};
+  };
+  for (const double c : {1 - 5e-6, 1 + 5e-6}) {  // between the start and the solution, or behind
+    const auto result = solved(problem(c), Vec<2>(1 - 1e-5, 0));
+    REQUIRE(result.converged());
+    CHECK(result.iterations() == 2);
+    CHECK(result.index == (c < 1 ? 1 : 0));
+  }
+}

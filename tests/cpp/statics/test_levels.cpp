@@ -64,30 +64,39 @@ Rod<Space> random_closed_rod(Random& random, int edges) {
 
 }  // namespace
 
-TEST_CASE("vertices that are kept: the given ones, and between them the most even ones") {
+TEST_CASE("a coarser grid: it keeps the ends of spans, and is even between them") {
   Random random(1);
   for (const int n : {5, 40, 41, 200}) {
     const Grid grid = random.grid(n);
-    const std::vector<int> fixed{0, n / 3, n};
+    const std::vector<int> ends{0, n / 3, n};
     for (const int edges : {1, 4, 16}) {
-      const auto kept = detail::kept_vertices(grid, fixed, edges);
-      for (std::size_t i = 1; i < kept.size(); ++i) CHECK(kept[i - 1] < kept[i]);
-      for (std::size_t i = 1; i < fixed.size(); ++i) {
-        const auto first = std::find(kept.begin(), kept.end(), fixed[i - 1]),
-                   last = std::find(kept.begin(), kept.end(), fixed[i]);
-        REQUIRE(last != kept.end());
-        const int fine = fixed[i] - fixed[i - 1];
-        CHECK(last - first <= std::min(edges, fine));
-        if (fine >= 3 * edges) CHECK(last - first == edges);
-        if (last - first < edges) continue;
-        const double start = grid.s(fixed[i - 1]), length = grid.s(fixed[i]) - start;
-        for (int k = 1; k < edges; ++k) {
-          const double gap = std::abs(grid.s(first[k]) - (start + length * k / edges));
-          CHECK(gap <= grid.edge_lengths().maxCoeff() / 2 + 1e-15);
+      const auto to = detail::coarser_grid(grid, ends, {}, edges);
+      REQUIRE(to.fine == ends);
+      for (std::size_t i = 1; i < ends.size(); ++i) {
+        const int fine = ends[i] - ends[i - 1], first = to.coarse[i - 1], last = to.coarse[i];
+        CHECK(last - first == std::min(edges, fine));
+        const double length = grid.s(ends[i]) - grid.s(ends[i - 1]);
+        CHECK(to.grid.s(last) == doctest::Approx(grid.s(ends[i])).epsilon(1e-14));
+        for (int j = first; j < last; ++j) {
+          const double h = fine <= edges ? grid.h(ends[i - 1] + j - first) : length / edges;
+          CHECK(to.grid.h(j) == doctest::Approx(h).epsilon(1e-14));
         }
+        CHECK(to.vertex(ends[i]) == last);
       }
+      CHECK(to.vertex(n / 3 + 1) == -1);
     }
   }
+}
+
+TEST_CASE("a coarser grid keeps kinks, as far as they are few") {
+  const Grid grid = Grid::uniform(1, 400);
+  const auto to = detail::coarser_grid(grid, {0, 400}, {0, 100, 111, 350}, 16);
+  CHECK(to.fine == std::vector{0, 100, 111, 350, 400});
+  CHECK(to.coarse == std::vector{0, 4, 5, 15, 17});
+  for (const int j : to.fine) CHECK(to.grid.s(to.vertex(j)) == doctest::Approx(grid.s(j)));
+  std::vector<int> many;
+  for (int j = 0; j < 400; ++j) many.push_back(j);
+  CHECK(detail::coarser_grid(grid, {0, 400}, many, 16).fine == std::vector{0, 400});
 }
 
 TEST_CASE_TEMPLATE("a merged rod gives as much and is bent as much, in all", Space, EACH_SPACE) {
@@ -96,7 +105,7 @@ TEST_CASE_TEMPLATE("a merged rod gives as much and is bent as much, in all", Spa
     for (const int n : {12, 32, 61}) {
       CAPTURE(n);
       const auto rod = closed ? random_closed_rod<Space>(random, n) : random.rod<Space>(n);
-      const auto merged = detail::merged(rod, detail::kept_vertices(rod.grid, {0, n / 4, n}, 3));
+      const auto merged = detail::merged(rod, detail::coarser_grid(rod.grid, {0, n / 4, n}, {}, 3));
       CHECK(merged.edges() < n);
       CHECK(merged.grid.closed() == closed);
       CHECK(merged.grid.length() == doctest::Approx(rod.grid.length()).epsilon(1e-14));
@@ -115,7 +124,7 @@ TEST_CASE_TEMPLATE("a uniform rod, merged, is the uniform rod on the coarse grid
   for (const bool even : {true, false}) {
     const Grid grid = even ? Grid::uniform(1, 64) : random.grid(64);
     const auto merged = detail::merged(Rod<Space>::uniform(grid, C, S, K0),
-                                       detail::kept_vertices(grid, {0, 64}, 8));
+                                       detail::coarser_grid(grid, {0, 64}, {}, 8));
     REQUIRE(merged.edges() == 8);
     for (const auto& c : merged.bending) CHECK(distance(c, C) < 1e-13);
     for (const auto& k : merged.K0) CHECK(distance(k, K0) < 1e-13);
@@ -127,7 +136,7 @@ TEST_CASE_TEMPLATE("a rigid strain stays rigid", Space, EACH_SPACE) {
   const Grid grid = Grid::uniform(1, 12);
   const Point<Space> S = Point<Space>::Constant(Section::rigid);
   const auto merged = detail::merged(Rod<Space>::uniform(grid, Spin<Space>::Ones(), S),
-                                     detail::kept_vertices(grid, {0, 12}, 4));
+                                     detail::coarser_grid(grid, {0, 12}, {}, 4));
   for (const auto& s : merged.stretching) CHECK(s == S);
 }
 
@@ -146,11 +155,9 @@ TEST_CASE_TEMPLATE("merged loads have the sums and the first moments of all", Sp
     loads.follower_forces.push_back({j, j + k % 2, random.vector<Space::dim>()});
     loads.follower_moments.push_back({j, random.vector<Space::spin>()});
   }
-  const auto kept = detail::kept_vertices(grid, {0, 11, n}, 4);
-  const auto merged = detail::merged(loads, grid, kept);
-  Vector h(int(kept.size()) - 1);
-  for (int J = 0; J < int(h.size()); ++J) h[J] = grid.s(kept[J + 1]) - grid.s(kept[J]);
-  const auto a = sums(loads, grid), b = sums(merged, Grid(h));
+  const auto to = detail::coarser_grid(grid, {0, 11, n}, {}, 4);
+  const auto merged = detail::merged(loads, grid, to);
+  const auto a = sums(loads, grid), b = sums(merged, to.grid);
   CHECK(distance(a.force, b.force) < 1e-14);
   CHECK(distance(a.lever, b.lever) < 1e-14);
   CHECK(distance(a.following, b.following) < 1e-14);
@@ -160,8 +167,9 @@ TEST_CASE_TEMPLATE("merged loads have the sums and the first moments of all", Sp
   CHECK(merged.start_moment == loads.start_moment);
   CHECK(merged.end_moment == loads.end_moment);
   CHECK(merged.follower_end_moment == loads.follower_end_moment);
-  for (const auto& f : merged.follower_forces)  // on an end of the edge that it follows, or near
-    CHECK((f.vertex >= 0 && f.vertex <= int(h.size()) && f.edge < int(h.size())));
+  for (const auto& f : merged.follower_forces)  // on an end of the edge that it follows
+    CHECK((f.edge >= 0 && f.edge < to.grid.edges() &&
+           (f.vertex == f.edge || f.vertex == f.edge + 1)));
 }
 
 TEST_CASE_TEMPLATE("a coarser network: its supports stay where they are", Space, EACH_SPACE) {
@@ -185,32 +193,41 @@ TEST_CASE_TEMPLATE("a coarser network: its supports stay where they are", Space,
   }
 }
 
-TEST_CASE_TEMPLATE("a refined helix is the helix, on any two grids", Space, EACH_SPACE) {
-  Random random(6);
-  const Spin<Space> K = random.turn<Space>(5);
-  const auto layout_on = [&](const Grid& grid) {
-    Structure<Space> s;
-    s.clamp(s.add(Rod<Space>::uniform(grid, Spin<Space>::Ones(), Point<Space>::Ones(), K)), 0);
-    s.hinge(0, grid.edges());
-    return Layout<Space>(s.net);
-  };
-  const auto start = random.rotation<Space>();
-  for (const auto& [from, to] : {std::pair{3, 50}, {8, 8}, {16, 31}, {20, 5}}) {
-    CAPTURE(from);
-    const auto coarse = layout_on(random.grid(from)), fine = layout_on(random.grid(to));
-    const auto frames = [&](const Layout<Space>& layout) {
-      const auto& rod = layout.network().rods[0];
-      return rod.at_rest(Point<Space>::Zero(), start).frames;
-    };
-    const NetworkState<Space> x{frames(coarse),
-                                {start, start},
-                                {random.vector<Space::dim>()},
-                                {random.vector<Space::dim>(), random.vector<Space::dim>()},
-                                {}};
-    const auto y = refined(coarse, x, fine);
-    CHECK(distance(y.frames, frames(fine)) < 1e-13);
-    CHECK(distance(y.forces, x.forces) == 0);
-    CHECK(distance(y.positions, x.positions) == 0);
-    CHECK(distance(y.node_frames, x.node_frames) == 0);
-  }
+TEST_CASE_TEMPLATE("forces and moments that follow everywhere do not pile up on coarse edges",
+                   Space, EACH_SPACE) {
+  Random random(7);
+  const int n = 400;
+  const Grid grid = Grid::uniform(1, n);
+  Loads<Space> loads(n);
+  loads.add_follower_force_per_length(grid, std::vector(n, random.vector<Space::dim>()));
+  loads.add_follower_moment_per_length(grid, std::vector(n, random.vector<Space::spin>()));
+  const auto to = detail::coarser_grid(grid, {0, n}, {}, 16);
+  const auto merged = detail::merged(loads, grid, to);
+  CHECK(merged.follower_forces.size() <= 3 * 16);
+  CHECK(merged.follower_moments.size() == 16);
+  const auto a = sums(loads, grid), b = sums(merged, to.grid);
+  CHECK(distance(a.following, b.following) < 1e-13);
+  CHECK(distance(a.follower_lever, b.follower_lever) < 1e-13);
+  CHECK(distance(a.follower_moment, b.follower_moment) < 1e-13);
+}
+
+TEST_CASE_TEMPLATE("point loads and jumps of a rod stay at their vertices", Space, EACH_SPACE) {
+  Structure<Space> s;
+  s.clamp(s.add(100), 0);
+  auto& rod = s.net.rods[0];
+  auto& loads = s.net.loads[0];
+  const Spin<Space> one = Spin<Space>::Ones();
+  rod.jumps.push_back({25, one, one, one, one});
+  loads.add_force(rod.grid, Point<Space>::Ones(), 0.4);
+  loads.add_moment(rod.grid, one, 0.6);
+  const auto coarse = coarsened(s.net, 10);
+  const auto at = [&](int j) { return coarse.rods[0].grid.s(j); };
+  REQUIRE(coarse.rods[0].jumps.size() == 1);
+  CHECK(at(coarse.rods[0].jumps[0].vertex) == doctest::Approx(0.25));
+  REQUIRE(coarse.loads[0].pushed.size() == 1);
+  CHECK(at(coarse.loads[0].pushed[0]) == doctest::Approx(0.4));
+  CHECK(distance(coarse.loads[0].force[coarse.loads[0].pushed[0]], Point<Space>::Ones()) < 1e-15);
+  REQUIRE(coarse.loads[0].vertex_moments.size() == 1);
+  CHECK(at(coarse.loads[0].vertex_moments[0].vertex) == doctest::Approx(0.6));
+  CHECK(kinks(coarse.rods[0], coarse.loads[0]).size() == 3);
 }

@@ -44,6 +44,29 @@ Quaternion winding(double s) {
 /// What the errors of a scheme of second order look like: smooth.
 Vec3 wave(double s) { return {std::cos(2 * s), 0.5 - s, std::sin(5 * s)}; }
 
+/// What is expected on a finer grid: of what is known on one, or on two.
+template <class Rotation>
+std::vector<Rotation> prolonged(const Grid& grid, const std::vector<Rotation>& frames,
+                                const Grid& to) {
+  std::vector<Rotation> out;
+  prolong(Stretch(grid), components(frames.data(), int(frames.size())), Stretch(to), out);
+  return out;
+}
+
+template <class Rotation>
+std::vector<Rotation> prolonged(const Grid& before, const std::vector<Rotation>& then,
+                                const Grid& grid, const std::vector<Rotation>& frames,
+                                const Grid& to) {
+  const Stretch from(before), on(grid);
+  auto values = components(frames.data(), on.edges());
+  const auto was = interpolated(from, components(then.data(), from.edges()), on);
+  const double part = still_to_come(from.edges(), on.edges(), to.edges());
+  for (std::size_t j = 0; j < values.size(); ++j) values[j] += part * (values[j] - was[j]);
+  std::vector<Rotation> out;
+  prolong(on, values, Stretch(to), out);
+  return out;
+}
+
 double error(const std::vector<Quaternion>& found, const Grid& grid) {
   return distance(found, at_centres(grid, winding));
 }
@@ -53,24 +76,24 @@ double error(const std::vector<Quaternion>& found, const Grid& grid) {
 TEST_CASE("in the plane a cubic is continued exactly, whatever the edges") {
   Random random(1);
   for (const Grid& grid :
-       {Grid::uniform(1, 4), Grid::uniform(1, 9), random.grid(4), random.grid(11), graded(16)}) {
-    const Grid fine = halved(grid);
-    const auto exact = at_centres(fine, cubic);
-    const auto once = prolonged(grid, at_centres(grid, cubic));
-    CHECK(distance(once.start, exact) < 1e-13);
-    // nothing changed from grid to grid, so nothing is expected to
-    const auto twice = prolonged(fine, exact, once);
-    CHECK(distance(twice.start, at_centres(halved(fine), cubic)) < 1e-13);
-  }
+       {Grid::uniform(1, 4), Grid::uniform(1, 9), random.grid(4), random.grid(11), graded(16)})
+    for (const Grid& fine : {halved(grid), Grid::uniform(grid.length(), 57), grid}) {
+      const auto exact = at_centres(fine, cubic);
+      CHECK(distance(prolonged(grid, at_centres(grid, cubic), fine), exact) < 1e-12);
+      // nothing changed from grid to grid, so nothing is expected to
+      const Grid finer = halved(fine);
+      CHECK(distance(prolonged(grid, at_centres(grid, cubic), fine, exact, finer),
+                     at_centres(finer, cubic)) < 1e-12);
+    }
 }
 
 TEST_CASE("in space errors are of fourth order, on unequal edges as well") {
   for (const auto make : {+[](int n) { return Grid::uniform(1, n); }, &graded}) {
     std::vector<double> errors;
     for (int n : {32, 64, 128, 256}) {
-      const Grid grid = make(n);
-      const auto start = prolonged(grid, at_centres(grid, winding)).start;
-      errors.push_back(error(start, halved(grid)));
+      const Grid grid = make(n), fine = halved(grid);
+      const auto start = prolonged(grid, at_centres(grid, winding), fine);
+      errors.push_back(error(start, fine));
       for (const auto& q : start) CHECK(q.norm() == doctest::Approx(1).epsilon(1e-15));
     }
     for (std::size_t i = 1; i < errors.size(); ++i) CHECK(errors[i - 1] / errors[i] > 13);
@@ -78,37 +101,41 @@ TEST_CASE("in space errors are of fourth order, on unequal edges as well") {
   }
 }
 
-TEST_CASE("what changed from grid to grid is expected to change by a quarter of it again") {
+TEST_CASE("errors of second order on two grids tell those on a third one") {
   const auto found = [](const Grid& grid, double h) {
     return at_centres(grid, [&](double s) { return winding(s) * exp(Vec3(h * h * wave(s))); });
   };
-  std::vector<double> plain, predicted;
-  for (int n : {32, 64, 128}) {
-    const Grid grid = graded(n), finer = halved(grid), finest = halved(finer);
-    const auto frames = found(finer, 0.5 / n);
-    const auto expected = found(finest, 0.25 / n);
-    plain.push_back(distance(prolonged(finer, frames).start, expected));
-    const auto below = prolonged(grid, found(grid, 1. / n));
-    predicted.push_back(distance(prolonged(finer, frames, below).start, expected));
+  for (const auto& [now, next] : {std::pair{2, 4}, {4, 16}, {4, 100}, {2, 3}}) {
+    CAPTURE(next);
+    std::vector<double> plain, predicted;
+    for (int n : {32, 64, 128}) {
+      const Grid grid = graded(n), finer = graded(now * n), finest = graded(next * n);
+      const auto frames = found(finer, 1. / (now * n));
+      const auto expected = found(finest, 1. / (next * n));
+      plain.push_back(distance(prolonged(finer, frames, finest), expected));
+      predicted.push_back(
+          distance(prolonged(grid, found(grid, 1. / n), finer, frames, finest), expected));
+    }
+    for (std::size_t i = 1; i < plain.size(); ++i) {
+      CHECK(plain[i - 1] / plain[i] == doctest::Approx(4).epsilon(0.1));
+      CHECK(predicted[i - 1] / predicted[i] > 10);
+    }
+    CHECK(predicted.back() < plain.back() / 20);
   }
-  for (std::size_t i = 1; i < plain.size(); ++i) {
-    CHECK(plain[i - 1] / plain[i] == doctest::Approx(4).epsilon(0.1));
-    CHECK(predicted[i - 1] / predicted[i] > 10);
-  }
-  CHECK(predicted.back() < plain.back() / 20);
+  CHECK(still_to_come(8, 16, 32) == 0.25);
+  CHECK(still_to_come(8, 8, 32) == 0);  // nothing changed
 }
 
-TEST_CASE("what a grid of another scene said is not used") {
-  const Grid grid = Grid::uniform(1, 8);
-  const auto other = prolonged(Grid::uniform(1, 16), at_centres(Grid::uniform(1, 16), winding));
-  const auto frames = at_centres(grid, winding);
-  CHECK(distance(prolonged(grid, frames, other).start, prolonged(grid, frames).start) == 0);
-}
-
-TEST_CASE("with too few edges for a cubic the halves start as the whole") {
-  const Grid grid = Grid::uniform(1, 3);
-  const auto frames = at_centres(grid, winding);
-  const auto start = prolonged(grid, frames).start;
-  REQUIRE(start.size() == 6);
-  for (std::size_t j = 0; j < 6; ++j) CHECK(distance(start[j], frames[j / 2]) == 0);
+TEST_CASE("with too few edges for a cubic, through as many as there are") {
+  const auto square = [](double s) { return Angle{1 - s + 3 * s * s}; };
+  const auto line = [](double s) { return Angle{1 - s}; };
+  for (const Grid& fine : {Grid::uniform(1, 6), Grid::uniform(1, 50)}) {
+    const auto continued = [&](int edges, const auto& frame) {
+      const Grid grid = Grid::uniform(1, edges);
+      return distance(prolonged(grid, at_centres(grid, frame), fine), at_centres(fine, frame));
+    };
+    CHECK(continued(3, square) < 1e-14);
+    CHECK(continued(2, line) < 1e-14);
+    CHECK(continued(1, [](double) { return Angle{0.7}; }) == 0);
+  }
 }

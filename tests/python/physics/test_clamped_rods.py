@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from support import work
 
 import pyrod
 from pyrod import Clamp, DistributedForce, Force, Rod, Scene, Section, solve
@@ -40,7 +41,7 @@ def test_a_round_column_that_has_buckled_turns_freely(
     assert column.stable
     assert column.neutral
     assert column.descents > 0
-    assert column.iterations <= 12
+    assert work(column) <= 12
 
 
 @pytest.mark.parametrize(("held", "free", "sign"), ENDS)

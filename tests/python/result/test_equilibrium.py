@@ -116,12 +116,14 @@ def test_repr_tells_what_was_found() -> None:
 
 def test_record_has_a_line_per_iteration() -> None:
     result = pyrod.solve(BENT)
-    names = {"exact", "energy", "residual", "step", "fraction", "shift", "factorisations"}
-    assert set(result.record) == names
+    of_a_step = {"exact", "energy", "residual", "step", "fraction", "shift"}
+    assert set(result.record) == of_a_step | {"factorisations", "unknowns"}
     assert {len(column) for column in result.record.values()} == {result.iterations}
     assert result.record["exact"][-1]
     assert not result.record["exact"][0]
-    assert (result.record["factorisations"] >= 1).all()
+    assert (result.record["factorisations"][:-1] >= 1).all()
+    assert result.record["factorisations"][-1] >= 0  # with that of the step before
+    assert (result.record["unknowns"] == result.unknowns).all()
     assert result.record["residual"][0] > 1e-2 > 1e-12 > result.residual
 
 

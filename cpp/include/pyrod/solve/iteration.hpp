@@ -16,7 +16,8 @@ struct Iteration {
   double step;         ///< largest component [rad] of the step
   double fraction;     ///< part of the step that was taken, 1 unless it had to be cut
   double shift;        ///< σ added to the Hessian's diagonal, 0 unless it had to be
-  int factorisations;  ///< 1 unless shifts were tried
+  int factorisations;  ///< 1 unless shifts were tried; 0: with the factor of the step before
+  int unknowns;        ///< of the grid that the step was made on
 };
 
 /// Sees each iteration as it is done; returns false to stop the solve.

@@ -21,14 +21,32 @@ struct Mode {
   Vector multipliers;  ///< that go with it
 };
 
+/// Where inverse iteration begins: something of every mode is in it.
+inline void set_start(const ShiftedFactor& factor, Vector& v) {
+  // near sin x from 0.3 to 1.7
+  const auto x = Vector::LinSpaced(factor.matrix().size(), 0.3, 1.7).array();
+  v = x * (1 - x.square() / 6 * (1 - x.square() / 20 * (1 - x.square() / 42)));
+  factor.multipliers().set(0, v);
+}
+
+/// One step of inverse iteration with what is factorised: what K v is over diag(stiffness) v. `v`
+/// and `Kv`: storage.
+inline double first_quotient(ShiftedFactor& factor, Vector& v, Vector& Kv) {
+  set_start(factor, v);
+  v.array() *= factor.stiffness().array();
+  factor.solve(v, v);
+  factor.matrix().multiply(v, Kv);
+  return v.dot(Kv) / v.cwiseProduct(v).dot(factor.stiffness());
+}
+
 /// K v = λ diag(weights) v on the constraints, with the eigenvalue nearest to −σ; `factor` is that
 /// of K + σ diag(weights). `exact`: without what the factor always adds.
 template <std::same_as<ShiftedFactor> Factor>
 Mode inverse_iteration(Factor& factor, const Vector& weights, double σ, int steps, bool exact) {
   const auto& K = factor.matrix();
   Mode mode;
-  Vector v = Vector::LinSpaced(K.size(), 0.3, 1.7).array().sin(), Kv(v.size());
-  factor.multipliers().set(0, v);
+  Vector v, Kv(K.size());
+  set_start(factor, v);
   for (int i = 0; i < steps; ++i) {
     const double before = mode.eigenvalue;
     Kv = weights.cwiseProduct(v);

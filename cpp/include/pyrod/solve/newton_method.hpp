@@ -6,7 +6,7 @@
 /// minimum on the constraints exactly if the matrix has one negative pivot for each multiplier; if
 /// it has not, the primal rows are shifted until it has. Progress is measured by the augmented
 /// Lagrangian with the new multipliers, which without any is the energy, or by the next simplified
-/// step. Included by newton.hpp, with the definitions of the search along a step.
+/// step. Included by newton.hpp, with the definitions of steps and of the search along them.
 #pragma once
 
 #include <pyrod/core/hessian.hpp>
@@ -62,7 +62,8 @@ class Newton {
 
  private:
   static constexpr std::size_t usual_iterations = 16;
-  static constexpr double most_by_rounding = 1e-3;  ///< a longer step is one that has to be taken
+  static constexpr double most_by_rounding = 1e-3;   ///< a longer step is one that has to be taken
+  static constexpr double most_since_factor = 1e-3;  ///< a longer step needs a new factor
 
   const LinearisationOf<P>& here() const { return tangent_.here(); }
   void linearise() { tangent_.linearise(x_, kind_); }
@@ -94,22 +95,24 @@ class Newton {
     double before = std::numeric_limits<double>::infinity();  // the step
     int reopened = 0;                                         // times that the last step left a gap
     while (result.iterations() < options_.max_iterations) {
-      Iteration now{kind_, here().energy, tangent_.residual(), 0, 1, 0, 0};
-      if (!find_step(now)) return Status::not_finite;
-      if (drifts(now, result)) {
-        factor_.soften();
+      Iteration now{kind_, here().energy, tangent_.residual(), 0, 1, 0, 0, int(δ_.size())};
+      bool tiny = reopened == 0 && find_last_step(now, result), at_rounding = false;
+      away_ = tiny ? before : 0;
+      if (!tiny) {
         if (!find_step(now)) return Status::not_finite;
+        if (drifts(now, result)) {
+          factor_.soften();
+          if (!find_step(now)) return Status::not_finite;
+        }
+        tiny = is_last(now);
+        // where a mode is soft, steps still improve on a residual that could be rounding
+        at_rounding = now.kind == Hessian::exact && now.step <= most_by_rounding && rounded();
       }
-      const bool exact = kind_ == Hessian::exact;
-      const bool small = !has_shift(now) && !anchor_.holds() && now.step <= options_.tolerance;
-      const bool tiny = exact && small && tangent_.met() && settled(now) &&
-                        tests_.accurate(here(), x_, δ_, tangent_.rounding(x_), trial_);
-      // where a mode is soft, steps still improve on a residual that could be rounding
-      const bool at_rounding = exact && now.step <= most_by_rounding && rounded();
       const bool last = tiny || (at_rounding && now.step > before / 2);
       const bool found =
-          last && !tiny ? true
-                        : search(now, tiny || (small && !tangent_.constrained())) || at_rounding;
+          last && !tiny
+              ? true
+              : search(now, tiny || (small(now) && !tangent_.constrained())) || at_rounding;
       before = now.step;
       if (now.fraction == 1) anchor_.weaken(now.step);
       result.record.push_back(now);
@@ -123,6 +126,21 @@ class Newton {
     return Status::out_of_iterations;
   }
 
+  bool small(const Iteration& now) const {
+    return !has_shift(now) && !anchor_.holds() && now.step <= options_.tolerance;
+  }
+
+  /// Whether the step ends the solve, once it is taken.
+  bool is_last(const Iteration& now) {
+    return kind_ == Hessian::exact && small(now) && tangent_.met() && settled(now) &&
+           tests_.accurate(here(), x_, δ_, tangent_.rounding(x_), trial_);
+  }
+
+  /// Whether the last step was a whole one of Newton's method itself.
+  static bool was_whole(const Iteration& last) {
+    return last.kind == Hessian::exact && last.fraction == 1 && !has_shift(last);
+  }
+
   static bool has_shift(const Iteration& now) { return now.shift != 0; }
 
   /// Whether a step is no shorter than the one before, where each should be about the square of
@@ -130,72 +148,31 @@ class Newton {
   bool drifts(const Iteration& now, const Result<State>& result) const {
     if (result.record.empty() || factor_.adds() || kind_ == Hessian::convex) return false;
     const Iteration& last = result.record.back();
-    const bool near = last.kind == Hessian::exact && last.fraction == 1 && !has_shift(last);
-    return near && last.step <= 1e-2 && now.step > std::max(last.step / 2, options_.tolerance);
+    return was_whole(last) && last.step <= 1e-2 &&
+           now.step > std::max(last.step / 2, options_.tolerance);
   }
 
   /// δ, of which the primal part may be cut and the multipliers are always taken whole. False if
   /// numbers fail.
-  bool find_step(Iteration& now) {
-    factorise(anchor_.weight(), now);
-    now.shift = 0;
-    const bool potential = problem_.conservative();
-    if (std::isfinite(now.step) && kind_ == Hessian::exact &&
-        (!potential || falls_short(now.step <= options_.tolerance)))
-      correct_step(now);
-    if (usable(now) && (!potential || !minimum_ || factor_.index() == 0 ||
-                        now.step <= options_.tolerance || rounded()))
-      return true;
-    double σ = first_shift();
-    const double growth = tangent_.constrained() ? 4 : 3;
-    for (int i = 0; i < 40 && std::isfinite(σ); ++i, σ *= growth) {
-      factorise(σ, now);
-      if (usable(now) && factor_.index() == 0) return true;
-    }
-    return false;
-  }
-
+  bool find_step(Iteration& now);
+  /// The last step, with the factor of the state before, from which a short step has led
+  /// here (docs/theory.md, "Stopping"). If it does not do, it is found as any other.
+  bool find_last_step(Iteration& now, const Result<State>& result);
+  /// Makes up for what the factor is off. `most`: what may be left of the error of δ [rad].
+  bool refine_step(double most);
   /// A step that is not too long for what the exact Hessian can tell. A shift makes it shorter, and
   /// leads to a minimum; it is cut instead where constraints hold, which a shift would leave open,
   /// where the Hessian tells a part only, and where any equilibrium will do.
-  bool usable(const Iteration& now) const {
-    const bool cut =
-        tangent_.constrained() || !problem_.conservative() || !minimum_ || kind_ == Hessian::convex;
-    return std::isfinite(now.step) && (cut || now.step <= options_.trust);
-  }
-
+  bool usable(const Iteration& now) const;
   /// Of the stiffness; without constraints such that by itself it lets no step be much too long.
-  double first_shift() const {
-    if (tangent_.constrained()) return 1e-3;
-    return 0.3 * largest(here().gradient.cwiseQuotient(factor_.stiffness())) / options_.trust;
-  }
-
+  double first_shift() const;
   bool falls_short(bool last) {
     return tests_.falls_short(factor_, δ_, last ? &tangent_.rounding(x_) : nullptr);
   }
-
   /// The step that leaves none of the gaps open.
-  void correct_step(Iteration& now) {
-    if (problem_.conservative())
-      trial_ = -pull(), factor_.correct(trial_, δ_);
-    else
-      tangent_.correct(x_, δ_);
-    split_step();
-    now.step = δ_.allFinite() ? largest(primal_) : std::numeric_limits<double>::infinity();
-  }
-
+  void correct_step(Iteration& now);
   /// δ = −(K + σ U)⁻¹ g, U the stiffness.
-  void factorise(double σ, Iteration& now) {
-    factor_.factorise(σ);
-    ++now.factorisations;
-    now.shift = σ * problem_.unit_energy();
-    now.step = std::numeric_limits<double>::infinity();
-    if (factor_.broken()) return;
-    factor_.solve(pull(), δ_);
-    δ_ = -δ_;
-    split_step();
-    if (δ_.allFinite()) now.step = largest(primal_);
-  }
+  void factorise(double σ, Iteration& now);
 
   const Vector& pull() { return anchor_.pull(here().gradient, factor_.stiffness()); }
 
@@ -236,6 +213,7 @@ class Newton {
   Vector &δ_, &primal_, &dual_, &trial_;  ///< see `Workspace`
   Anchor anchor_;
   Hessian kind_ = Hessian::convex;
+  double away_ = 0;  ///< the step from the state of the factor to that before the last step
 };
 
 template <Problem P>
@@ -269,7 +247,8 @@ auto Newton<P>::solve(State start, Hessian first, bool estimate, bool anchored) 
   result.energy = here().energy;
   result.residual = tangent_.residual();
   if (result.converged() && problem_.conservative())
-    result.index = tangent_.index(!has_shift(result.record.back()) && !anchor_.holds());
+    result.index = tangent_.index(!has_shift(result.record.back()) && !anchor_.holds(),
+                                  away_ <= options_.tolerance);
   result.state = std::move(x_);
   return result;
 }

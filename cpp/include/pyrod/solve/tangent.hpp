@@ -49,6 +49,7 @@ class Tangent {
     if (constrained()) problem_.multiplier_sizes(x, storage().sizes);
     factor_.renew(softness_, storage().sizes);
     rounding_known_ = false;
+    firm_.reset();
   }
 
   static double largest(const Vector& v) { return v.template lpNorm<Eigen::Infinity>(); }
@@ -71,10 +72,12 @@ class Tangent {
                          v);
   }
 
-  /// Of what was linearised last. `last`: whether the factor is of the state before, one tiny step
-  /// away, and nothing was added to it: it tells the index, unless multipliers have changed.
-  int index(bool last) {
-    if (last && !constrained() && !factor_.adds() && factor_.index() == 0) return 0;
+  /// Of what was linearised last. `last`: whether the factor is of a state a short step before, and
+  /// nothing was added to it: it tells the index, unless multipliers have changed. `tiny`: that
+  /// step; after another one only if nothing is so soft that it may have changed sides meanwhile.
+  int index(bool last, bool tiny) {
+    if (last && !constrained() && !factor_.adds() && factor_.index() == 0 && (tiny || firm()))
+      return 0;
     factor_.factorise(0);
     if (!factor_.broken() && factor_.index() == 0) return 0;
     return confirmed_index(factor_);
@@ -85,12 +88,9 @@ class Tangent {
 
   /// The softest mode, to first sight: two inverse iterations bring it out if it is soft, one
   /// without stiffness with the eigenvalue of the shift. Its eigenvalue is relative to the
-  /// stiffness. None where one iteration, with the factor of the last step if nothing was added to
-  /// it, sees nothing soft.
+  /// stiffness. None where nothing is.
   std::optional<Mode> soft_mode() {
-    if (!factor_.adds() &&
-        inverse_iteration(factor_, factor_.stiffness(), 0, 1, false).eigenvalue > 0.1)
-      return std::nullopt;
+    if (firm()) return std::nullopt;
     factor_.factorise(0);
     if (factor_.broken()) return std::nullopt;
     return inverse_iteration(factor_, factor_.stiffness(), 0, 2, false);
@@ -107,6 +107,14 @@ class Tangent {
   }
 
  private:
+  /// Whether one inverse iteration, with the factor of the last step if nothing was added to it,
+  /// sees nothing soft.
+  bool firm() {
+    if (!firm_)
+      firm_ = !factor_.adds() && first_quotient(factor_, storage().trial, storage().dual) > 0.1;
+    return *firm_;
+  }
+
   const P& problem_;
   decltype(std::declval<const P&>().weights()) weights_;
   decltype(std::declval<const P&>().softness()) softness_;
@@ -114,6 +122,7 @@ class Tangent {
   LinearisationOf<P>& here_;
   ShiftedFactor& factor_;
   bool rounding_known_ = false;
+  std::optional<bool> firm_;
 };
 
 }  // namespace pyrod

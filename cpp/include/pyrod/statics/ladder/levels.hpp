@@ -17,8 +17,8 @@
 #include <pyrod/statics/solving/network_solve.hpp>
 #include <pyrod/statics/solving/posed.hpp>
 #include <pyrod/statics/start/network_start.hpp>
+#include <pyrod/statics/start/outlook.hpp>
 #include <pyrod/statics/start/prolongation.hpp>
-#include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -37,8 +37,6 @@ using PosedLevel = std::function<std::shared_ptr<const Posed<Space>>(int level)>
 template <class Space>
 class Levels {
  public:
-  using Rotation = typename Space::Rotation;
-
   explicit Levels(PosedLevel<Space> source) : source_(std::move(source)) {}
 
   /// One level: from the level below if that was solved, else from `start`, on level 0, or from
@@ -50,14 +48,12 @@ class Levels {
     more.anchored = from_below && neutral_;
     const auto posed = source_(level);
     check(posed->network(), level);
-    begin(level, from_below, start);
+    begin(level, from_below, posed->network(), start);
     NetworkSolver<Space> solver(*posed, options, more, trace);
     auto reached = solved(solver, *posed, from_below);
     auto found = told(*posed, reached, 1 << level);
     if (level == 0) move_to_origin(found);
-    grids_.clear();
-    for (const auto& rod : posed->network().rods) grids_.push_back(rod.grid);
-    below_ = std::move(reached.state);
+    outlook_.add(posed->layout(), reached.state);
     neutral_ = found.neutral;
     if (!found.mode.empty()) found.mode = thinned(found.mode, 1 << level);
     auto out = posed->in_space(std::move(found));
@@ -85,47 +81,33 @@ class Levels {
 
   Found<Space> solved(NetworkSolver<Space>& solver, const Posed<Space>& posed, bool from_below) {
     const StateNear<Space> near(posed.layout(), posed.here(), posed.network().nodes.size());
-    if (from_below) return solver.find(near.state(refined()));
+    if (from_below) return solver.find(near.state(outlook_.on(posed.layout())));
     return given_ ? solver.find(near.state(*given_)) : solver.find();
   }
 
   /// The start of this level. One that was given goes along on every level, in case all below fail.
-  void begin(int level, bool from_below, const std::optional<NetworkStart>& start) {
+  void begin(int level, bool from_below, const Network<Space>& network,
+             const std::optional<NetworkStart>& start) {
     if (level == 0)
       given_ = start;
     else if (given_)
-      given_->frames = halved(given_->frames);
-    if (!from_below) prolonged_.clear();
+      given_->frames = halved(given_->frames, network);
+    if (!from_below) outlook_.clear();
   }
 
   /// Frames of all rods on halved edges, one after another.
-  std::vector<Quaternion> halved(const std::vector<Quaternion>& frames) const {
+  static std::vector<Quaternion> halved(const std::vector<Quaternion>& frames,
+                                        const Network<Space>& finer) {
     std::vector<Quaternion> out;
     Eigen::Index edges = 0;
-    for (const auto& grid : grids_) edges += grid.edges();
+    for (const auto& rod : finer.rods) edges += rod.edges() / 2;
     require_count(Eigen::Index(frames.size()), edges, "start", "one frame per edge");
-    auto from = frames.begin();
-    for (const auto& grid : grids_) {
-      const auto more = prolonged(grid, std::vector<Quaternion>(from, from + grid.edges())).start;
-      out.insert(out.end(), more.begin(), more.end());
-      from += grid.edges();
-    }
-    return out;
-  }
-
-  /// The state of the level below, with frames for twice as many edges.
-  NetworkState<Space> refined() {
-    NetworkState<Space> out = below_;
-    out.frames.clear();
-    out.frames.reserve(2 * below_.frames.size());
-    prolonged_.resize(grids_.size());
-    auto from = below_.frames.begin();
-    for (std::size_t i = 0; i < grids_.size(); ++i) {
-      const auto end = from + grids_[i].edges();
-      prolonged_[i] = prolonged(grids_[i], std::vector<Rotation>(from, end), prolonged_[i]);
-      const auto& frames = prolonged_[i].start;
-      out.frames.insert(out.frames.end(), frames.begin(), frames.end());
-      from = end;
+    const Quaternion* from = frames.data();
+    for (const auto& rod : finer.rods) {
+      const Vector& h = rod.grid.edge_lengths();
+      const Grid coarse(Vector(h.reshaped(2, h.size() / 2).colwise().sum().transpose()));
+      prolong(Stretch(coarse), components(from, coarse.edges()), Stretch(rod.grid), out);
+      from += coarse.edges();
     }
     return out;
   }
@@ -146,9 +128,7 @@ class Levels {
   }
 
   PosedLevel<Space> source_;
-  NetworkState<Space> below_;
-  std::vector<Prolonged<Rotation>> prolonged_;
-  std::vector<Grid> grids_;
+  Outlook<Space> outlook_;
   std::vector<int> edges_, attached_;  ///< of rods, and vertices of attachments, on level 0
   std::optional<NetworkStart> given_;
   bool neutral_ = false;  ///< the level below

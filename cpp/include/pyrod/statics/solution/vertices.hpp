@@ -9,6 +9,7 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/loads.hpp>
 #include <pyrod/statics/solution/rod_solution.hpp>
+#include <pyrod/statics/unknowns/kinks.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,10 +64,8 @@ class Vertices {
   }
 
   std::vector<int> marked() const {
-    std::vector<int> out = loads_.pushed;
+    std::vector<int> out = kinks(rod_, loads_);
     for (const auto& held : held_) out.push_back(held.vertex);
-    for (const auto& jump : rod_.jumps) out.push_back(jump.vertex);
-    for (const auto& moment : loads_.vertex_moments) out.push_back(moment.vertex);
     std::ranges::sort(out);
     out.erase(std::ranges::unique(out).begin(), out.end());
     return out;

@@ -15,8 +15,8 @@
 #include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/solving/posed.hpp>
 #include <pyrod/statics/start/clamped_start.hpp>
-#include <pyrod/statics/start/coarsening.hpp>
 #include <pyrod/statics/start/network_start.hpp>
+#include <pyrod/statics/start/outlook.hpp>
 #include <pyrod/statics/start/start.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
@@ -54,31 +54,66 @@ class NetworkSolver {
 
   /// From a state that is trusted to be near; `forces`: so are its section forces.
   Found<Space> find(State start, bool forces = false) {
-    on_finest(options_,
-              [&](auto& grid) { grid.solve(std::move(start), Hessian::exact, false, !forces); });
+    on(posed_, options_,
+       [&](auto& grid) { grid.solve(std::move(start), Hessian::exact, false, !forces); });
     return finished();
   }
 
  private:
-  static constexpr int patience = 30;  ///< iterations under moments that have no potential
+  static constexpr int patience = 30;         ///< iterations under moments that have no potential
+  static constexpr double short_step = 1e-6;  ///< [rad]: the next is but rounding
 
   template <class Solve>
-  void on_finest(const Options& options, const Solve& solve) {
-    GridSolve<Space> grid(posed_, options, more_, trace_, search_);
+  void on(const Posed<Space>& posed, const Options& options, const Solve& solve) {
+    GridSolve<Space> grid(posed, options, more_, trace_, search_);
     solve(grid);
-    if (search_.converged()) grid.look_around();
+    if (&posed == &posed_ && search_.converged()) grid.look_around();
   }
 
-  /// On all edges at once. Where moments have no potential and that fails, the forces are brought
-  /// on step by step, from the shape under moments alone.
+  /// Through coarser grids, if there are any; if that fails, or the start is the solution, on all
+  /// edges at once.
   void solve_clamped() {
-    const ClampedStart<Space> start(layout_);
-    const bool potential = posed_.problem().conservative();
+    if (posed_.coarser() > 0 && !ClampedStart<Space>(layout_).exact()) {
+      climb([&](const Posed<Space>& coarsest) { solve_clamped_on(coarsest); });
+      if (search_.converged() || search_.interrupted()) return;
+      search_.found.load_steps = search_.found.descents = 0;
+    }
+    solve_clamped_on(posed_);
+  }
+
+  /// Where moments have no potential and that fails, the forces are brought on step by step, from
+  /// the shape under moments alone.
+  void solve_clamped_on(const Posed<Space>& posed) {
+    const ClampedStart<Space> start(posed.layout());
+    const bool potential = posed.problem().conservative();
     Options patient = options_;
     if (!potential) patient.max_iterations = std::min(options_.max_iterations, patience);
-    on_finest(patient, [&](auto& grid) { grid.solve(start.state(), start.first(), false); });
+    on(posed, patient, [&](auto& grid) { grid.solve(start.state(), start.first(), false); });
     if (potential || search_.converged() || search_.interrupted()) return;
-    on_finest(options_, [&](auto& grid) { grid.bring_on_forces(start.under_moments()); });
+    on(posed, options_, [&](auto& grid) { grid.bring_on_forces(start.under_moments()); });
+  }
+
+  /// `first`: solves on the coarsest grid. From there to ever finer ones, until one step and its
+  /// check are expected to do on all edges.
+  template <class First>
+  void climb(const First& first) {
+    first(posed_.coarser(0));
+    const int grids = posed_.coarser();
+    Outlook<Space> outlook;
+    double expected = 1;  // length of the first step on the next grid
+    for (int i = 0; i < grids && search_.converged(); ++i) {
+      outlook.add(posed_.coarser(i).layout(), search_.state);
+      const bool last = i + 1 == grids || expected <= short_step;
+      const auto& to = last ? posed_ : posed_.coarser(i + 1);
+      const bool sees_change = outlook.sees_change();
+      const auto before = search_.found.record.size();
+      const int descents = search_.found.descents;
+      on_grid(to, outlook.on(to.layout()), Hessian::exact, false);
+      if (last) return;
+      if (search_.found.descents > descents) outlook.clear();
+      // what is left when second order is known is of fourth order
+      expected = sees_change ? search_.found.record[before].step / 256 : 1;
+    }
   }
 
   /// Through coarser grids.
@@ -86,21 +121,16 @@ class NetworkSolver {
     const State start = Start<Space>(layout_).state();
     search_.state = start;
     if (largest_turn() > std::numbers::pi - 1e-6) return;  // no grid tells such a start
-    const auto& coarser = posed_.coarser();
-    if (coarser.empty()) return on_first(posed_, start);
-    on_first(*coarser.front(), Start<Space>(coarser.front()->layout()).state());
-    for (std::size_t i = 0; i < coarser.size() && search_.converged(); ++i) {
-      const auto& to = i + 1 < coarser.size() ? *coarser[i + 1] : posed_;
-      on_grid(to, refined(coarser[i]->layout(), search_.state, to.layout()), Hessian::exact, false);
-    }
+    if (posed_.coarser() == 0) return on_first(posed_, start);
+    climb([&](const Posed<Space>& coarsest) {
+      on_first(coarsest, Start<Space>(coarsest.layout()).state());
+    });
     if (!search_.converged() && !search_.interrupted() && search_.found.status != Status::taut)
       on_grid(posed_, start, Hessian::convex, true);
   }
 
   void on_grid(const Posed<Space>& posed, const State& start, Hessian first, bool resort) {
-    GridSolve<Space> grid(posed, options_, more_, trace_, search_);
-    grid.solve(start, first, resort);
-    if (&posed == &posed_ && search_.converged()) grid.look_around();
+    on(posed, options_, [&](auto& grid) { grid.solve(start, first, resort); });
   }
 
   /// On the coarsest grid. Where a rod may pass its supports in several ways, and the likeliest

@@ -34,8 +34,6 @@ namespace pyrod {
 template <class Space>
 class Posed {
  public:
-  using Coarser = std::vector<std::unique_ptr<const Posed>>;
-
   /// Refuses what is no network.
   explicit Posed(Network<Space> network) : given_(checked(std::move(network))), layout_(given_) {
     problem_.emplace(layout_);
@@ -80,17 +78,24 @@ class Posed {
       return placed(std::move(found), here_);
   }
 
-  /// The same with few edges, and more, and more: made when they are first asked for.
-  const Coarser& coarser() const {
-    std::call_once(finest_->once, [this] {
-      for (const int edges : coarser_edges())
-        finest_->coarser.push_back(std::make_unique<const Posed>(coarsened(given_, edges)));
-    });
-    return finest_->coarser;
+  /// How many coarser grids there are.
+  int coarser() const {
+    const std::lock_guard lock(coarse_->busy);
+    return int(grids().size());
+  }
+
+  /// The same on a coarser grid, of which the first has fewest edges: made when it is first asked
+  /// for.
+  const Posed& coarser(int grid) const {
+    const std::lock_guard lock(coarse_->busy);
+    return *made(std::size_t(grid));
   }
 
  private:
-  static constexpr int coarsest = 16, refinement = 8;
+  static constexpr int coarsest = 16, refinement = 4;
+  /// Where the loads tell all forces, all edges at once are as quick if they are but that many
+  /// times the coarsest ones.
+  static constexpr int coarsest_clamped = 64, least_clamped = 12;
 
   static Network<Space> checked(Network<Space> network) {
     network.check();
@@ -102,11 +107,43 @@ class Posed {
     return restricted<Space>(network, at);
   }
 
-  /// Edges of a span on the coarser grids, the coarsest first. Such that a start does not turn by
-  /// more than half a radian from edge to edge.
-  std::vector<int> coarser_edges() const {
-    int longest = 0, turns = 0;
+  struct Coarse {
+    int edges;  ///< of a span
+    std::unique_ptr<const Posed> posed;
+  };
+  using Coarser = std::vector<Coarse>;
+
+  /// The third from the finest one, and the first two from that.
+  const std::unique_ptr<const Posed>& made(std::size_t grid) const {
+    auto& [edges, posed] = grids()[grid];
+    const std::size_t base = std::min<std::size_t>(2, grids().size() - 1);
+    if (!posed)
+      posed = std::make_unique<const Posed>(
+          coarsened(grid < base ? made(base)->given_ : given_, edges));
+    return posed;
+  }
+
+  /// The coarsest first, such that a start does not turn by more than half a radian from edge to
+  /// edge.
+  Coarser& grids() const {
+    auto& out = coarse_->grids;
+    if (out) return *out;
+    out.emplace();
+    int longest = 0;
     for (const auto& span : layout_.spans()) longest = std::max(longest, span.last - span.first);
+    if (longest < 2 * coarsest) return *out;
+    const bool clamped = layout_.determinate();
+    const int first =
+        (clamped ? coarsest_clamped : coarsest) * std::max(1, int(std::ceil(turn() / 8)));
+    if (longest < (clamped ? least_clamped : 2) * first) return *out;
+    for (int n = first; n == first || refinement * n <= longest; n *= refinement)
+      out->push_back({n, nullptr});
+    return *out;
+  }
+
+  /// By which a rod may turn, at rest and from one attachment to the next, at the most.
+  double turn() const {
+    int turns = 0;
     for (const auto& a : given_.attachments) turns = std::max(turns, std::abs(a.turns));
     double rest = 0;
     for (const auto& rod : given_.rods) {
@@ -114,24 +151,18 @@ class Posed {
       for (int j = 0; j < rod.grid.vertices(); ++j) sum += rod.grid.Δs(j) * rod.K0[j].norm();
       rest = std::max(rest, sum);
     }
-    const double turn = 2 * std::numbers::pi * turns + rest;
-    std::vector<int> out;
-    for (int n = coarsest * std::max(1, int(std::ceil(turn / 8))); 2 * n <= longest;
-         n *= refinement)
-      out.push_back(n);
-    return out;
+    return 2 * std::numbers::pi * turns + rest;
   }
 
   Network<Space> given_;
   Layout<Space> layout_;
   std::optional<NetworkProblem<Space>> problem_;
   Placement<Spatial> here_;
-  /// The coarser grids, once they are made.
-  struct Finest {
-    std::once_flag once;
-    Coarser coarser;
+  struct Shared {
+    std::mutex busy;
+    std::optional<Coarser> grids;  ///< once they are asked for
   };
-  std::unique_ptr<Finest> finest_ = std::make_unique<Finest>();
+  std::unique_ptr<Shared> coarse_ = std::make_unique<Shared>();
 };
 
 template <class Space>
@@ -149,7 +180,7 @@ void Posed<Space>::change(const Network<Spatial>& network, const Placement<Spati
   layout_ = std::move(layout);
   problem_.emplace(layout_);
   if constexpr (!std::is_same_v<Space, Spatial>) here_ = at;
-  finest_ = std::make_unique<Finest>();
+  coarse_ = std::make_unique<Shared>();
 }
 
 template <class Space>
@@ -160,7 +191,7 @@ bool Posed<Space>::move_nodes(const Network<Spatial>& network) {
     layout_.move_nodes(network);
     given_.placements = network.placements;
     given_.nodes = network.nodes;
-    finest_ = std::make_unique<Finest>();
+    coarse_ = std::make_unique<Shared>();
     return true;
   }
   return false;  // the plane may be another, and what leaves it is refused with all else
@@ -180,7 +211,7 @@ bool Posed<Space>::change_loads(const std::vector<Loads<Spatial>>& loads) {
   if (!layout_.take_loads(here)) return false;
   given_.loads = std::move(given);
   problem_->renew_loads();
-  finest_ = std::make_unique<Finest>();
+  coarse_ = std::make_unique<Shared>();
   return true;
 }
 

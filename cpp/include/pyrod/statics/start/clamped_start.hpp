@@ -31,6 +31,9 @@ class ClampedStart {
 
   NetworkState<Space> state() const;
 
+  /// Whether `state` is a solution: no forces act.
+  bool exact() const;
+
   /// Without any force.
   NetworkState<Space> under_moments() const;
 
@@ -110,6 +113,18 @@ auto ClampedStart<Space>::state() const -> NetworkState<Space> {
 template <class Space>
 auto ClampedStart<Space>::under_moments() const -> NetworkState<Space> {
   return with_frames([this](int rod) { return bent(rod); });
+}
+
+template <class Space>
+bool ClampedStart<Space>::exact() const {
+  const auto none = [](const auto& F) { return F.isZero(0); };
+  for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+    const auto& loads = net_.loads[rod];
+    if (!std::ranges::all_of(loads.force, none)) return false;
+    const bool turned = loads.has_moments() || !loads.start_moment.isZero(0);
+    if (turned && clamp(rod).vertex != 0) return false;
+  }
+  return std::ranges::all_of(net_.nodes, none, &Node<Space>::force);
 }
 
 template <class Space>
