@@ -45,8 +45,8 @@ template <class Space>
 void row(int n, Loading loading) {
   const auto net = cantilever<Space>(n, loading);
   std::optional<Posed<Space>> posed(net);
-  Solution<Space> found;
-  const auto solve = [&] { found = NetworkSolver<Space>(*posed, {}, {}, {}).solve(); };
+  Found<Space> found;
+  const auto solve = [&] { found = find<Space>(*posed, {}, {}, {}, {}); };
   auto here = posed->problem().linearisation();
   const auto start = ClampedStart<Space>(posed->layout()).state();
   posed->problem().linearise(start, Hessian::exact, here);
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   const int largest = argc > 1 ? std::atoi(argv[1]) : 1000000;
   std::puts(
       "iterations on all grids, and on the finest; ns per edge of bare CHOLMOD factor + solve,");
-  std::puts("of a first solve, and of one again, results included; both over bare\n");
+  std::puts("of a first solve, and of one again; both over bare\n");
   std::puts("space    load              n   it finest    bare   first   again  /bare   /bare");
   for (const int n : {64, 256, 1000, 10000, 100000, 1000000}) {
     if (n > largest) break;

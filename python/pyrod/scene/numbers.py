@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from pyrod.scene.changes import changed, entries_of, part_keys
 from pyrod.scene.scene import Scene
 
 _PLAIN = {float, int, np.float64}
+_MOST = 1e300  # above, and if it is no number, it is looked at as the part's
 Entry = tuple[bool, int, str, int]
 """Whether of a load, else of a support; its number, an entry, and a component, -1: all."""
 
@@ -100,4 +100,4 @@ class NewNumbers:
 
 
 def _plain(value: Any) -> bool:
-    return type(value) in _PLAIN and isfinite(value)
+    return type(value) in _PLAIN and abs(value) < _MOST

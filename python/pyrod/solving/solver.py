@@ -49,6 +49,7 @@ class Solver:
         self._strict = strict
         # of the rods with the vertices of places: rows of loads have as many as these have edges
         self._solver = _core.Solver(compiled_of(scene))
+        self._in_step = True  # what the compiled solver has is the scene; Ctrl-C may part them
         self._busy = Lock()
         self._thread: int | None = None  # which solves now
 
@@ -88,21 +89,33 @@ class Solver:
             raise RuntimeError("Solver: it is solving already; make another one")
         with self._busy:
             self._thread = get_ident()
+            in_step = self._in_step
             try:
                 return self._found(changes or {})
+            except Exception:  # which leaves the compiled solver what it was
+                self._in_step = in_step
+                raise
             finally:
                 self._thread = None
 
     def forget(self) -> None:
         """Starts the next solve afresh, as if nothing had been found yet."""
+        if self._thread == get_ident():
+            raise RuntimeError("Solver: it is solving; it cannot forget what it has not found yet")
         with self._busy:
             self._solver.forget()
 
     def _found(self, changes: Mapping[str, Any] | Scene) -> Equilibrium:
         began = perf_counter()
-        if isinstance(changes, Mapping) and (values := self._numbers.read(changes)) is not None:
+        in_step, self._in_step = self._in_step, False
+        if (
+            in_step
+            and isinstance(changes, Mapping)
+            and (values := self._numbers.read(changes)) is not None
+        ):
             found = self._solver.solve_numbers(values, *self._how)
             self._numbers = numbers = self._numbers.with_these(changes)
+            self._in_step = True
             if found.accuracy is None:
                 return equilibrium_later(
                     numbers.made, numbers.rods, found, self._how, perf_counter() - began
@@ -114,9 +127,10 @@ class Solver:
         else:
             scene, new = changed(self.scene, changes)
         rods, supports, joints, loads = compiled_parts(new or {})
-        given: Any = compiled_of(scene) if new is None else None
+        given: Any = None if new is not None and in_step else compiled_of(scene)
         found = self._solver.solve(given, rods, supports, joints, loads, *self._how)
         self._numbers = NewNumbers(scene)
+        self._in_step = True
         return equilibrium_of(scene, found, self._how, perf_counter() - began)
 
     def __reduce__(self) -> tuple[Callable[..., Solver], tuple[Any, ...]]:

@@ -103,6 +103,52 @@ TEST_CASE("supports that move hold what they hold where they are now") {
   CHECK(taut.solve(Changes{}).converged());
 }
 
+TEST_CASE("whatever holds after whatever, forces that the loads tell are not those of before") {
+  const Quaternion turned(std::cos(0.2), 0, std::sin(0.2), 0);
+  const Vec3 at(0.1, 0, 0.9);
+  const std::vector<Support> kinds{
+      Hinge{.position = at, .at = End::end},
+      Slider{.along = Vec3(0, 0, 1), .position = at, .at = End::end},
+      Slider{.along = Vec3(1, 0, 0), .position = at, .at = End::end},
+      Slider{.normal = Vec3(1, 0, 1), .position = at, .at = End::end},
+      Sleeve{.position = at, .frame = turned, .at = End::end},
+      Sleeve{.position = at, .frame = Quaternion::Identity(), .at = End::end},
+      Spring{.stiffness = 5, .position = at, .at = End::end},
+      Spring{.stiffness = 0, .torsion = 1, .position = at, .at = End::end},
+      Clamp{.position = at, .frame = turned, .at = End::end}};
+  const auto scene = [&](const Support& end, Dimension space) {
+    return Scene(precurved(1.0, 12, Section(1, 1.2, 0.8), Vec3(0, 0.5, 0)),
+                 {Clamp{.position = Vec3(0, 0, 0), .frame = Quaternion::Identity()}, end},
+                 {Force{{0.3, space == Dimension::spatial ? 0.2 : 0, -0.5}, 0.5}}, space);
+  };
+  for (const auto space : {Dimension::planar, Dimension::spatial})
+    for (const auto& before : kinds)
+      for (const auto& after : kinds) {
+        Solver solver(scene(before, space));
+        solver.solve(Changes{});
+        const auto found = solver.solve({.supports = {{1, after}}});
+        REQUIRE(found.converged());
+        CHECK(found.balance().first < 1e-9);
+        CHECK(apart(found, solve(scene(after, space))) < 1e-7);
+      }
+}
+
+TEST_CASE("supports that hold a rod only together hold it") {
+  const auto bent = precurved(1.0, 12, soft, Vec3(0, 1, 0));
+  for (const auto space : {Dimension::planar, Dimension::spatial}) {
+    const auto found =
+        solve(Scene(bent, {Sleeve{}, Sleeve{.at = End::end}}, {Force{{0.5, 0, 0.1}, 0.6}}, space));
+    REQUIRE(found.converged());
+    CHECK(found.balance().first < 1e-9);
+    CHECK(found.balance().second < 1e-9);
+    const auto rest = solve(Scene(bent, {Clamp{}}, {}, space));
+    const Vec3 axis = rotate(rest.tip_frame(), Vec3::UnitZ());
+    CHECK(found.rod().curve.positions[0].head<2>().norm() < 1e-9);
+    CHECK((found.tip() - rest.tip()).cross(axis).norm() < 1e-9);
+    CHECK((found.tip() - found.rod().curve.positions[0]).norm() > 0.5);
+  }
+}
+
 TEST_CASE("loads that are refused change nothing, nor does a part that there is not") {
   Solver solver(rod(1));
   const auto before = solver.solve(Changes{});

@@ -147,3 +147,45 @@ def test_no_scene_is_made_unless_it_is_asked_for() -> None:
     assert all(result.tip[2] < 2 for result in results)
     assert sum(isinstance(x, Scene) for x in gc.get_objects()) == before
     assert results[3].scene.loads[0].acting[0] == 1.03
+
+
+def test_ctrl_c_parts_no_result_from_its_scene(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Between the compiled solve and the note that Python takes of it."""
+
+    def interrupted(*args: Any) -> None:
+        raise KeyboardInterrupt
+
+    for changes in ({"loads.0.force.0": 5.0}, {"loads.0": Force((5, 0, 0))}):
+        solver = Solver(catheter())
+        solver.solve()
+        with monkeypatch.context() as patched:
+            patched.setattr("pyrod.scene.numbers.NewNumbers.with_these", interrupted)
+            patched.setattr("pyrod.scene.numbers.NewNumbers.__init__", interrupted)
+            with pytest.raises(KeyboardInterrupt):
+                solver.solve(changes)
+        result = solver.solve({"loads.0.force.1": -2.5})
+        assert result.scene.loads[0].acting[0] == 1
+        assert result.positions == pytest.approx(afresh(result).positions, abs=1e-9)
+
+
+def test_a_solver_that_is_solving_cannot_forget() -> None:
+    solver: list[Solver] = []
+
+    def load(s: float) -> tuple[float, float, float]:
+        if solver:
+            solver[0].forget()
+        return (0, 1, 0)
+
+    scene = catheter()
+    along = pyrod.DistributedForce(load)
+    solver.append(Solver(Scene(scene.rods, scene.supports, [*scene.loads])))
+    with pytest.raises(RuntimeError, match="forget"):
+        solver[0].solve(Scene(scene.rods, scene.supports, [*scene.loads, along]))
+
+
+@pytest.mark.parametrize("number", [10**400, -(10**400), 1e301])
+def test_numbers_beyond_all_measure_are_refused_by_name(number: float) -> None:
+    with pytest.raises((ValueError, OverflowError)) as refused:
+        Solver(catheter()).solve({"loads.0.force.0": number})
+    with pytest.raises(type(refused.value)):
+        Solver(catheter()).solve({"loads.0.force": (number, 0, 0)})

@@ -17,10 +17,11 @@ class OnDemand {
   explicit OnDemand(std::function<T()> make) : make_(std::move(make)) {}
 
   const T& get() const {
-    std::call_once(once_, [this] {
+    std::function<T()> done;  // let go when others may ask again: that may run code of users
+    std::call_once(once_, [&] {
       if (value_) return;
       value_ = make_();
-      make_ = nullptr;
+      done.swap(make_);
     });
     return *value_;
   }

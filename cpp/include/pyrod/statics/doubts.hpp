@@ -6,6 +6,7 @@
 #include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/rotation/spatial.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/solution/quantity.hpp>
 
@@ -34,6 +35,7 @@ class StrainDoubts {
  public:
   StrainDoubts(const Equilibrium& found, int number)
       : rod_(found.shape().made[std::size_t(number)]),
+        curve_(found.rod(number).curve),
         strains_(found.rod(number).strains),
         of_(found.rods().size() > 1 ? text(" of rod ", number) : "") {}
 
@@ -80,9 +82,15 @@ class StrainDoubts {
 
   Vec3 strain(std::size_t j) const { return strains_.Γ[j] - Vec3::UnitZ(); }
   double size(std::size_t j) const { return strain(j).lpNorm<Eigen::Infinity>(); }
-  double angle(std::size_t j) const { return rod_.grid.Δs(int(j)) * strains_.K[j].norm(); }
+  /// Beside a moment K is that behind the vertex, and tells nothing of the turn.
+  double angle(std::size_t j) const {
+    const auto& q = curve_.frames;
+    if (j > 0 && j < q.size()) return log(q[j - 1].conjugate() * q[j]).norm();
+    return rod_.grid.Δs(int(j)) * strains_.K[j].norm();
+  }
 
   const Rod<Spatial>& rod_;
+  const CosseratCurve<Spatial>& curve_;
   const Strains<Spatial>& strains_;
   std::string of_;
 };

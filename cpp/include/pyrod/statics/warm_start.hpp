@@ -12,6 +12,8 @@
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -38,10 +40,14 @@ class WarmStart {
     NetworkState<Space> near = (*found)->state;
     if constexpr (!std::is_same_v<Space, Spatial>)
       if (!move(near, posed.here())) return std::nullopt;
-    auto forces = near.forces;
+    const auto forces = near.forces;
     auto out = StateNear<Space>(posed.layout(), posed.here(), posed.network().nodes.size())
                    .state(std::move(near));
-    out.forces = std::move(forces);
+    for (std::size_t p = 0; p < forces.size(); ++p) {  // of which the loads may tell another part
+      const auto& open = posed.layout().spans()[p].open;
+      const double unit = posed.layout().unit_force(int(p));  // the length of its columns
+      out.forces[p] = open * (open.transpose() * forces[p]) / (unit * unit);
+    }
     return out;
   }
 

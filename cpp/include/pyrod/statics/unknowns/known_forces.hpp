@@ -162,6 +162,9 @@ class KnownForces {
   /// Forces that the loads tell: from the free ends inwards, until nothing more can be told.
   void strip_known_forces() {
     derived_.assign(cut_.network.nodes.size(), false);
+    const auto part = parts();
+    std::vector<int> left(cut_.network.nodes.size(), 0);  // of each part, which needs one of them
+    for (const int p : part) ++left[p];
     std::vector<int> todo(cut_.network.nodes.size());
     std::iota(todo.begin(), todo.end(), 0);
     while (!todo.empty()) {
@@ -169,10 +172,11 @@ class KnownForces {
       todo.pop_back();
       const int p = the_open_span(v);
       if (derived_[v] || p < 0 || cut_.network.nodes[v].free.cols() == 0 ||
-          cut_.network.nodes[v].spring > 0)
+          cut_.network.nodes[v].spring > 0 || left[part[v]] == 1)
         continue;
       if (!solve_at(v, p)) continue;
       derived_[v] = true;
+      --left[part[v]];
       todo.push_back(cut_.spans[p].start);
       todo.push_back(cut_.spans[p].end);
     }
