@@ -129,7 +129,10 @@ TEST_CASE("whatever holds after whatever, forces that the loads tell are not tho
         const auto found = solver.solve({.supports = {{1, after}}});
         REQUIRE(found.converged());
         CHECK(found.balance().first < 1e-9);
-        CHECK(apart(found, solve(scene(after, space))) < 1e-7);
+        CHECK(found.balance().second < 1e-9);
+        CHECK(found.stable());
+        // which of several shapes is found depends on what was before
+        CHECK(apart(found, solve(scene(after, space), {.start = &found})) < 1e-7);
       }
 }
 
