@@ -183,8 +183,8 @@ def test_a_solver_that_is_solving_cannot_forget() -> None:
         solver[0].solve(Scene(scene.rods, scene.supports, [*scene.loads, along]))
 
 
-@pytest.mark.parametrize("number", [10**400, -(10**400), 1e301])
-def test_numbers_beyond_all_measure_are_refused_by_name(number: float) -> None:
+@pytest.mark.parametrize("number", [10**400, -(10**400)])
+def test_numbers_beyond_all_measure_are_refused(number: int) -> None:
     with pytest.raises((ValueError, OverflowError)) as refused:
         Solver(catheter()).solve({"loads.0.force.0": number})
     with pytest.raises(type(refused.value)):
