@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One Newton iteration in nanoseconds per edge, split, beside a bare CHOLMOD factor + solve of the
 // same matrix in the same run; and a whole solve from the straight start.
+#include "clamped.hpp"
 #include "measure.hpp"
 
 #include <pyrod/pyrod.hpp>
@@ -9,14 +10,6 @@
 #include <cstdlib>
 
 namespace pyrod::benchmark {
-
-template <class Space>
-Rod<Space> rod(int n) {
-  const Rod<Spatial> spatial =
-      Rod<Spatial>::uniform(Grid::uniform(1, n), {1, 1.5, 0.7}, {4e3, 4e3, 1e4},
-                            Space::spin == 3 ? Vec3(0.5, 0.2, 1) : Vec3(0, 0.2, 0));
-  return restricted<Space>(spatial);
-}
 
 /// CHOLMOD alone, called as its manual says: simplicial LDLᵀ in the given order, and one solve.
 double bare_cholmod(SymmetricMatrix A, Vector b) {
@@ -51,20 +44,6 @@ double kept_memory(const P& problem, const typename P::State& start) {
   kept.factor.solve(kept.δ, kept.trial);
   kept.from = start;
   return double(kept.bytes()) / double(start.frames.size());
-}
-
-/// A rod clamped at its start.
-template <class Space>
-Network<Space> clamped(const Rod<Space>& rod, const Loads<Space>& loads) {
-  Network<Space> out;
-  out.rods.push_back(rod);
-  out.placements.emplace_back();
-  out.loads.push_back(loads);
-  out.nodes.emplace_back();
-  out.nodes[0].free.resize(Space::dim, 0);
-  out.nodes[0].turns.resize(Space::spin, 0);
-  out.attachments.push_back({0, 0, 0, true});
-  return out;
 }
 
 template <class Space>

@@ -2,6 +2,7 @@
 // Rods clamped at one end, from few edges to very many: iterations on all grids and on the finest,
 // and the solve of a network that is posed, beside a bare CHOLMOD factor + solve of the finest
 // matrix in the same run. `first`: its coarser grids are made as well; `again`: they are there.
+#include "clamped.hpp"
 #include "measure.hpp"
 
 #include <pyrod/pyrod.hpp>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace pyrod::benchmark {
 
@@ -20,25 +22,15 @@ constexpr const char* names[] = {"tip force", "precurved", "heavy", "moment"};
 template <class Space>
 Network<Space> cantilever(int n, Loading loading) {
   const bool bent = loading == Loading::precurved;
-  const Vec3 K0 =
-      bent ? Vec3(Space::spin == 3 ? 0.5 : 0, 2, Space::spin == 3 ? 1 : 0) : Vec3(0, 0, 0);
-  Network<Space> out;
-  out.rods.push_back(restricted<Space>(
-      Rod<Spatial>::uniform(Grid::uniform(1, n), {1, 1.5, 0.7}, {4e3, 4e3, 1e4}, K0)));
-  const Grid& grid = out.rods[0].grid;
-  auto& loads = out.loads.emplace_back(n);
+  const auto made = rod<Space>(n, bent ? Vec3(0.5, 2, 1) : Vec3(0, 0, 0));
+  Loads<Space> loads(n);
   const auto force = restrict_point<Space>({10, bent ? 3. : 0., 1});
   if (loading == Loading::heavy)
-    loads.add_force_per_length(grid, std::vector(std::size_t(n), force));
+    loads.add_force_per_length(made.grid, std::vector(std::size_t(n), force));
   else
-    loads.add_force(grid, force, 1);
-  if (loading == Loading::moment) loads.add_moment(grid, restrict_spin<Space>({0.5, 1, 1}), 1);
-  out.placements.emplace_back();
-  out.nodes.emplace_back();
-  out.nodes[0].free.resize(Space::dim, 0);
-  out.nodes[0].turns.resize(Space::spin, 0);
-  out.attachments.push_back({0, 0, 0, true});
-  return out;
+    loads.add_force(made.grid, force, 1);
+  if (loading == Loading::moment) loads.add_moment(made.grid, restrict_spin<Space>({0.5, 1, 1}), 1);
+  return clamped(made, loads);
 }
 
 template <class Space>

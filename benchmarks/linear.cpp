@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Products of the linear response, forward and backward, beside one Newton iteration at the same
 // state; and what it takes to be ready for them.
+#include "clamped.hpp"
 #include "measure.hpp"
 
 #include <pyrod/pyrod.hpp>
@@ -11,22 +12,13 @@
 
 namespace pyrod::benchmark {
 
-/// A rod clamped at its start, at a force across it.
+/// With a force across its end.
 template <class Space>
 Network<Space> cantilever(int n) {
-  const Rod<Spatial> rod =
-      Rod<Spatial>::uniform(Grid::uniform(1, n), {1, 1.5, 0.7}, {4e3, 4e3, 1e4},
-                            Space::spin == 3 ? Vec3(0.5, 0.2, 1) : Vec3(0, 0.2, 0));
-  Network<Space> out;
-  out.rods.push_back(restricted<Space>(rod));
-  out.placements.emplace_back();
-  out.loads.emplace_back(n);
-  out.loads[0].add_force(out.rods[0].grid, restrict_point<Space>({5, 0, 1}), 1);
-  out.nodes.emplace_back();
-  out.nodes[0].free.resize(Space::dim, 0);
-  out.nodes[0].turns.resize(Space::spin, 0);
-  out.attachments.push_back({0, 0, 0, true});
-  return out;
+  const auto made = rod<Space>(n);
+  Loads<Space> loads(n);
+  loads.add_force(made.grid, restrict_point<Space>({5, 0, 1}), 1);
+  return clamped(made, loads);
 }
 
 template <class Space>
