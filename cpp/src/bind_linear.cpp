@@ -114,6 +114,15 @@ void linear(py::module_& module) {
           py::arg("numbers"))
       .def("pull", [](const Linearised& l,
                       const py::dict& given) { return array(l.pull(weights(given, l.empty()))); })
+      .def(
+          "compliance",
+          [](const Linearised& l, int rod, int vertex) {
+            std::vector<Vec<6>> rows;
+            const Mat<6> C = l.compliance(rod, vertex);
+            for (const auto& row : C.rowwise()) rows.emplace_back(row);
+            return array(rows);
+          },
+          py::arg("rod"), py::arg("vertex"))
       .def_property_readonly("symmetric", &Linearised::symmetric);
 }
 

@@ -7,7 +7,7 @@ the normal of the cross-section.
 
 from importlib.metadata import version as _version
 
-from pyrod import curve, rotation
+from pyrod import curve, jax, rotation, torch
 from pyrod._core import Options
 from pyrod.base.folders import get_cmake_dir, get_include
 from pyrod.curve._warning import CurveWarning
@@ -87,6 +87,7 @@ __all__ = [
     "get_cmake_dir",
     "get_include",
     "is_planar",
+    "jax",
     "linearised",
     "load",
     "out_of_plane_index",
@@ -96,4 +97,5 @@ __all__ = [
     "solve",
     "solve_many",
     "sweep",
+    "torch",
 ]

@@ -10,11 +10,10 @@ import numpy as np
 
 import pyrod._core as _core
 from pyrod.base.immutable import Array
-from pyrod.linear.numbers import Entry, leaves_plane
+from pyrod.linear.numbers import Entry
 from pyrod.linear.told import Told, one_weight, resolved, weights_of
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.rod.place import Place
-from pyrod.scene.loads import Force, Moment
 from pyrod.scene.scene import Scene
 
 
@@ -32,6 +31,10 @@ class Grid:
         if path not in self._entries:
             self._entries[path] = Entry(self.scene, self._compiled, path)
         return self._entries[path]
+
+    def numbers(self, like: Scene) -> Array:
+        """Of a scene that differs in numbers only."""
+        return self._compiled.numbers(like._compiled)
 
     @property
     def symmetric(self) -> bool:
@@ -63,8 +66,12 @@ class Grid:
 
     def vjp(self, weights: Mapping[str, Any], paths: Iterable[str]) -> dict[str, Array]:
         """The gradient of a weighted sum of outputs."""
-        numbers = self._compiled.pull(weights_of(self.scene, weights, self.zeros))
+        numbers = self.gradient(weights)
         return {path: self.entry(path).gradient(numbers) for path in paths}
+
+    def gradient(self, weights: Mapping[str, Any]) -> Array:
+        """In all numbers of the network."""
+        return self._compiled.pull(weights_of(self.scene, weights, self.zeros))
 
     def jacobian(self, output: str, paths: list[str]) -> dict[str, Array]:
         """Forwards or backwards, whichever needs fewer solves."""
@@ -91,30 +98,7 @@ class Grid:
 
     def compliance(self, at: Place) -> Array:
         """See `Linearised.compliance`."""
-        rod, vertex = self.scene._compiled.vertex(at)
-        out = np.full((6, 6), np.nan)
-        for j, numbers in enumerate(self._unit_loads(at)):
-            if numbers is None:
-                continue
-            told = self.push(numbers)
-            out[:3, j] = told[f"rods.{rod}.positions"][vertex]
-            out[3:, j] = told[f"rods.{rod}.rotations"][vertex]
-        return out
-
-    def _unit_loads(self, at: Place) -> Iterable[Array | None]:
-        """None for those that leave the plane."""
-        base = self._compiled.numbers(self.scene._compiled)
-        scene = self.scene
-        for kind in (Force, Moment):
-            for unit in np.eye(3):
-                loads = (*scene.loads, kind(unit, at))
-                try:
-                    more = Scene(scene.rods, scene.supports, loads, scene.space, scene.joints)
-                    yield self._compiled.numbers(more._compiled) - base
-                except ValueError as refused:
-                    if not leaves_plane(scene, refused):
-                        raise
-                    yield None
+        return self._compiled.compliance(*self.scene._compiled.vertex(at))
 
     def stiffness(self, support: int) -> Array:
         """See `Linearised.stiffness`."""

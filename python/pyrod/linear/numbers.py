@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +22,20 @@ FIELDS = ("bending", "stretching", "K0")
 _STENCIL = ((1, 45 / 60), (2, -9 / 60), (3, 1 / 60))
 """Sixth order: all numbers of networks are polynomials in those of scenes, or as smooth. It is
 these few numbers that are differenced, not equilibria."""
+
+
+def slope(numbers: Callable[[float], Array], step: float, here: Array, name: str) -> Array:
+    """Of all numbers of scenes on a line, where they are ``here``."""
+    sides = [(numbers(k * step), numbers(-k * step)) for k, _ in _STENCIL]
+    ahead, behind = sides[0]
+    if np.abs((ahead + behind) / 2 - here).max() > np.abs(ahead - behind).max():
+        raise ValueError(
+            f"{name}: has no derivative here, as the scene jumps with it: say what joints "
+            "and supports hold"
+        )
+    return sum(  # type: ignore[return-value]
+        weight / step * (a - b) for (a, b), (_, weight) in zip(sides, _STENCIL, strict=True)
+    )
 
 
 class Entry:
@@ -97,17 +112,8 @@ class Entry:
         return self._slope(v, 1e-4 * self._step() / size)
 
     def _slope(self, v: Array, step: float) -> Array:
-        sides = [(self._at(k * step * v), self._at(-k * step * v)) for k, _ in _STENCIL]
-        ahead, behind = sides[0]
         here = self._compiled.numbers(self.scene._compiled)
-        if np.abs((ahead + behind) / 2 - here).max() > np.abs(ahead - behind).max():
-            raise ValueError(
-                f"{self.path}: has no derivative here, as the scene jumps with it: say what joints "
-                "and supports hold"
-            )
-        return sum(  # type: ignore[return-value]
-            weight / step * (a - b) for (a, b), (_, weight) in zip(sides, _STENCIL, strict=True)
-        )
+        return slope(lambda t: self._at(t * v), step, here, self.path)
 
     def _step(self) -> float:
         """How far this entry goes, at the most, for its effect to be seen."""

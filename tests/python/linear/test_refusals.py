@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import numpy as np
 import pytest
 
 import pyrod
 from pyrod import Clamp, Force, Hinge, Joint, Moment, Rod, Scene, Section, Slider
+from pyrod.rotation import exp, rotate
 
 UNIT = Section(EI1=1.0, EI2=1.0, GJ=0.8)
 
@@ -33,16 +36,59 @@ def test_forces_that_are_not_determined() -> None:
     """A straight inextensible rod between clamps may carry any axial force."""
     scene = Scene(Rod.straight(1.0, 16, UNIT), [Clamp(), Clamp((0, 0, 1.0), at="end")])
     linear = pyrod.linearised(pyrod.solve(scene))
-    change = linear.jvp({"rods.0.K0": np.tile([0.1, 0, 0], (17, 1))})
+    change = linear.jvp({"rods.0.K0": np.tile([0, 0, 0.1], (17, 1))})
     assert np.isnan(change["force"]).all()
     assert np.isnan(change["reactions.1.force"]).all()
     assert np.isfinite(change["positions"]).all()
+    assert np.abs(change["frames"]).max() > 0.05  # it twists
     with pytest.raises(ValueError, match="not determined"):
         linear.vjp({"force": np.ones((16, 3))})
     with pytest.raises(ValueError, match="cannot stretch"):
         linear.jvp({"supports.1.position": (0, 0, 1.0)})
     with pytest.raises(pyrod.SingularEquilibrium):  # nor be pulled longer
         linear.stiffness(1)
+
+
+BEND = {"rods.0.K0": np.tile([0.1, 0, 0], (17, 1))}
+
+
+def test_shapes_that_are_not_determined() -> None:
+    """Nothing bends a straight rod whose ends cannot come closer; its force may be anything."""
+    scene = Scene(Rod.straight(1.0, 16, UNIT), [Clamp(), Clamp((0, 0, 1.0), at="end")])
+    linear = pyrod.linearised(pyrod.solve(scene))
+    with pytest.raises(pyrod.SingularEquilibrium, match="straight"):
+        linear.jvp(BEND)
+    with pytest.raises(pyrod.SingularEquilibrium, match="straight"):
+        linear.vjp({"positions": np.ones((17, 3))}, "rods.0.K0")
+    with pytest.raises(pyrod.SingularEquilibrium, match="straight"):
+        linear.compliance(0.5)
+
+
+def taut(gap: float, turn: np.ndarray, force: float = 1e-3) -> np.ndarray:
+    """What a force does to a rod that is nearly as long as its supports are apart, turned in space
+    and turned back: only rounding can tell that it was."""
+    frame = exp(turn)
+    end = 0.3 * turn + rotate(frame, np.array([0, 0, 1.0 - gap]))
+    supports = [Clamp(0.3 * turn, frame=frame), Hinge(end, at="end")]
+    load = Force(rotate(frame, np.array([0, force, 0])), at=0.5)
+    linear = pyrod.linearised(pyrod.solve(Scene(Rod.straight(1.0, 16, UNIT), supports, load)))
+    change = linear.jvp({"loads.0.force": rotate(frame, np.array([0.3, 0.1, 0]))})
+    return rotate(frame * [1, -1, -1, -1], change["positions"])
+
+
+def test_what_rounding_of_taut_rods_leaves() -> None:
+    """It is told as long as it is right to a millionth: five different roundings agree."""
+    turns = np.random.default_rng(2).standard_normal((5, 3))
+    told = 0
+    for gap in 10.0 ** -np.arange(6, 12):
+        found = []
+        for turn in turns:
+            with suppress(pyrod.SingularEquilibrium):
+                found.append(taut(gap, turn))
+        told += len(found)
+        for one in found:
+            assert one == pytest.approx(found[0], abs=4e-6 * np.abs(found[0]).max())
+    assert 15 <= told <= 20  # up to 1e-8 all, from 1e-10 on none
 
 
 def test_no_equilibrium() -> None:

@@ -33,6 +33,7 @@ TUPLES = {"_asdict", "_fields", "_replace"}
 TWICE = {
     "add_arguments": "each command of the command line",
     "run": "each command of the command line",
+    "solver": "of JAX, and of PyTorch",
     "load": "pyrod.load of files, and pyrod.reference.load of cases",
     "folder": "public in pyrod.reference, of one folder of the package",
 }

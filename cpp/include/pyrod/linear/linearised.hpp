@@ -43,6 +43,10 @@ class LinearisedScene {
   /// The gradient of Σ weights·told in all numbers: the adjoint.
   Vector pull(const SceneChange& weights) const;
 
+  /// Displacement and rotation vector of a vertex, in space, under unit force and moment there, in
+  /// its columns. Those of loads that leave the plane of a planar scene are NaN.
+  Mat<6> compliance(int rod, int vertex) const;
+
   /// Zeros.
   SceneChange empty() const;
   /// Whether all loads have a potential: then compliances are symmetric.

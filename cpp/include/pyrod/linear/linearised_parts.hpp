@@ -81,6 +81,11 @@ Vector LinearisedScene<S>::pull(const SceneChange& weights) const {
 }
 
 template <std::same_as<Settings> S>
+Mat<6> LinearisedScene<S>::compliance(int rod, int vertex) const {
+  return parts_->visit([&](auto& r) { return r.compliance(rod, vertex); });
+}
+
+template <std::same_as<Settings> S>
 SceneChange LinearisedScene<S>::empty() const {
   return parts_->visit([](auto& r) { return r.empty(); });
 }

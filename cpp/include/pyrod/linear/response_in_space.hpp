@@ -9,6 +9,7 @@
 #include <pyrod/linear/numbers.hpp>
 #include <pyrod/linear/rod_fields.hpp>
 #include <pyrod/linear/scene_change.hpp>
+#include <pyrod/linear/vertex_loads.hpp>
 #include <pyrod/rotation/embedding.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/scene_network.hpp>
@@ -19,6 +20,7 @@
 #include <pyrod/statics/start/network_start.hpp>
 #include <pyrod/statics/start/restricted_network.hpp>
 
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -89,6 +91,27 @@ class ResponseInSpace {
     out.col(linear_.number_items().frame(v)).template head<spin>() =
         rotate_spin(q.conjugate(), restrict_spin<Space>(unrotate(turn(), φ)));
     return flat(out);
+  }
+
+  /// Columns: unit forces, then moments; NaN where these leave the plane.
+  Mat<6> compliance(int rod, int vertex) {
+    const VertexLoads<Space> loads(posed_->layout(), rod, vertex);
+    const auto position = change_.positions.col(linear_.positions().column(rod, vertex));
+    const auto& told = linear_.told_items();
+    const auto rotation = change_.told.col(told.rotation(told.vertex(rod, vertex)));
+    Mat<6> out;
+    for (int k = 0; k < 6; ++k) {
+      const Vec3 unit = unrotate(turn(), Vec3(Vec3::Unit(k % 3)));
+      const Point<Space> F = restrict_point<Space>(unit);
+      const Spin<Space> M = restrict_spin<Space>(unit);
+      const Vec3 kept = k < 3 ? embed(F) : embed_spin(M);
+      numbers_.setZero();
+      k < 3 ? loads.add_force(F, numbers_) : loads.add_moment(M, numbers_);
+      linear_.push(numbers_, change_);
+      out.col(k) << to_space(position, Kind::point), to_space(rotation, Kind::moment);
+      if ((kept - unit).norm() > 1e-9) out.col(k).setConstant(std::nan(""));
+    }
+    return out;
   }
 
   Vector of_rod(int rod, const RodFields& fields) const {
