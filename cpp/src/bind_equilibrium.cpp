@@ -138,19 +138,14 @@ void equilibrium(py::module_& module) {
   field("neutral", &Course::neutral);
   field("lowest_eigenvalue", &Course::lowest_eigenvalue);
   type.def(
-          "rod",
-          [](const std::shared_ptr<const E>& e, int number) {
-            return RodOf{e, number};
-          },
+          "rod", [](const std::shared_ptr<const E>& e, int number) { return RodOf{e, number}; },
           py::arg("number"))
       .def_property_readonly("status", [](const E& e) { return std::string(name(e.status())); })
       .def_property_readonly("advice", [](const E& e) { return std::string(e.advice()); })
       .def_property_readonly("record", [](const E& e) { return record(e.course.record); })
-      .def_property_readonly("mode",
-                             [](const E& e) {
-                               return e.mode.empty() ? py::object(py::none())
-                                                           : copied(e.mode);
-                             })
+      .def_property_readonly(
+          "mode",
+          [](const E& e) { return e.mode.empty() ? py::object(py::none()) : copied(e.mode); })
       .def_property_readonly("reactions", &reactions)
       .def_property_readonly("accuracy", &accuracy)
       .def_property_readonly("doubts", &doubts);
