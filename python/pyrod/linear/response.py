@@ -62,8 +62,8 @@ class Linearised:
         self.result = result
         self.scene = result.scene
         self.errors: dict[str, float] = {}
-        """Estimates of the errors of what was asked for last, if the result has a tolerance: of the
-        arrays of each name, relative to the largest of their numbers."""
+        """Estimated errors of the last answer, by output and relative to the largest number of it;
+        empty without a tolerance."""
         self._grid = Grid(result)
         self._rungs = Rungs(self._grid, self.errors)
 
@@ -109,7 +109,7 @@ class Linearised:
         return self._rungs.limits(lambda grid: grid.jacobian(output, paths))
 
     def operator(self, output: str, wrt: str) -> Any:
-        """The same as a `scipy.sparse.linalg.LinearOperator`, of flat arrays, never formed."""
+        """The same as a ``LinearOperator`` of SciPy, of flat arrays, never formed."""
         linalg = need("scipy.sparse.linalg", "all")
         shape, entry = self._grid.shape(output), self._grid.entry(wrt)
 
