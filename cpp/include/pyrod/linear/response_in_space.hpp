@@ -53,8 +53,9 @@ class ResponseInSpace {
     numbers_ = Eigen::Map<const Items<Space>>(numbers.data(), item_width<Space>, numbers_.cols());
     linear_.push(numbers_, change_);
     SceneChange out = empty();
-    for_each(out, change_,
-             [this](Vec3& told, const auto& item, auto kind) { told = to_space(item, kind); });
+    for_each(out, change_, [this](Vec3& told, const auto& item, auto kind) {
+      told = this->to_space(item, kind);
+    });
     out.energy = change_.told(0, linear_.told_items().energy());
     return out;
   }
@@ -64,7 +65,7 @@ class ResponseInSpace {
     for (auto* items : {&change_.state, &change_.told}) items->setZero();
     change_.positions.setZero();
     for_each(given, change_, [this](const Vec3& weight, auto&& item, auto kind) {
-      from_space(weight, item, kind);
+      this->from_space(weight, item, kind);
     });
     change_.told(0, linear_.told_items().energy()) = weights.energy;
     linear_.pull(change_, numbers_);

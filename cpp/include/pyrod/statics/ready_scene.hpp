@@ -3,6 +3,7 @@
 /// they are asked for.
 #pragma once
 
+#include <pyrod/core/sole_owner.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/changes.hpp>
@@ -100,27 +101,31 @@ class ReadyScene {
   template <class Space>
   using Levels = std::map<int, std::shared_ptr<Posed<Space>>>;
 
-  /// Level 0, if it is this one's alone, and none of those that were refined from it.
-  template <class Space>
-  void change(const SceneNetwork& network) {
+  /// Keeps level 0, if it is this one's alone and `change` could put the change into it, and none
+  /// of those that were refined from it.
+  template <class Space, class Change>
+  void change_coarsest(const Change& change) {
     auto& levels = std::get<Levels<Space>>(levels_);
     auto coarsest = levels.extract(0);
     levels.clear();
-    if (!coarsest || coarsest.mapped().use_count() != 1) return;
-    coarsest.mapped()->change(network.network, network.plane);
-    levels.insert(std::move(coarsest));
+    if (coarsest && is_sole_owner(coarsest.mapped()) && change(*coarsest.mapped()))
+      levels.insert(std::move(coarsest));
+  }
+
+  template <class Space>
+  void change(const SceneNetwork& network) {
+    change_coarsest<Space>([&](Posed<Space>& posed) {
+      posed.change(network.network, network.plane);
+      return true;
+    });
   }
 
   template <class Space>
   void change(const Changes& changes) {
-    auto& levels = std::get<Levels<Space>>(levels_);
-    auto coarsest = levels.extract(0);
-    levels.clear();
-    if (!coarsest || coarsest.mapped().use_count() != 1) return;
-    auto& posed = *coarsest.mapped();
-    if ((changes.supports.empty() || posed.move_nodes(network_.network)) &&
-        (changes.loads.empty() || posed.change_loads(network_.network.loads)))
-      levels.insert(std::move(coarsest));
+    change_coarsest<Space>([&](Posed<Space>& posed) {
+      return (changes.supports.empty() || posed.move_nodes(network_.network)) &&
+             (changes.loads.empty() || posed.change_loads(network_.network.loads));
+    });
   }
 
   template <class Space>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/core/sole_owner.hpp>
 #include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/changes.hpp>
 #include <pyrod/scene/scene.hpp>
@@ -77,7 +78,7 @@ template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve(Scene changed, const S& settings) {
   auto next = std::move(spare_);
   behind_.reset();
-  if (next.use_count() == 1)
+  if (is_sole_owner(next))
     next->change(std::move(changed));
   else  // there is none yet, or copies have it
     next = std::make_shared<SceneParts>(std::move(changed));
@@ -88,7 +89,7 @@ template <std::same_as<Settings> S>
 Equilibrium SceneSolver<S>::solve(const Changes& changes, const S& settings) {
   auto next = std::move(spare_);
   const auto behind = std::exchange(behind_, std::nullopt);
-  if (behind && next.use_count() == 1) {
+  if (behind && is_sole_owner(next)) {
     Changes all = *behind;
     all.add(changes);
     next->change(all);
