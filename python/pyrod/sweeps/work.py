@@ -62,7 +62,7 @@ class OneAfterAnother:
         return self._last
 
     def _takes(self, values: dict[str, Any]) -> bool:
-        """NewNumbers only, of the entries that all cases change."""
+        """Numbers only, of the entries that all cases change."""
         if self._names and self._names != values.keys():
             return False
         return self._numbers.read(values) is not None
