@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
+import sys
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +17,33 @@ import pyrod
 from pyrod import Clamp, Force, Hinge, Rod, Scene, Section
 from pyrod.linear.parametric import Parametric
 
+ALONE = "PYROD_TESTS_ALONE"
 EDGES = 10
 POINT = {"force": np.array([0.4, 1.0, -0.2]), "EI": np.array(1.2), "K0": np.array([0.3, 0.5, 0.1])}
 OUTPUTS = ["tip", "energy", "reactions.1.force", "moment"]
+
+
+def imported(world: str) -> Any:
+    """JAX has threads, which make later forks of a process warn: it gets one of its own."""
+    if ALONE not in os.environ:
+        pytest.skip("in a process of its own")
+    return pytest.importorskip(world)
+
+
+@pytest.mark.outside
+def test_in_a_process_of_its_own() -> None:
+    """All that follows."""
+    if not any(map(find_spec, ("jax", "torch"))):
+        pytest.skip("neither JAX nor PyTorch is there")
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", __file__]
+    run = subprocess.run(
+        [*command, "-k", "not process"],
+        env={**os.environ, ALONE: "1"},
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert " passed" in run.stdout
 
 
 def scene_of(p: dict[str, Any]) -> Scene:
@@ -52,7 +80,7 @@ def jacobian() -> np.ndarray:
 
 @pytest.fixture(scope="module")
 def jax() -> Any:
-    jax = pytest.importorskip("jax")
+    jax = imported("jax")
     jax.config.update("jax_enable_x64", True)
     return jax
 
@@ -136,7 +164,7 @@ def test_the_printed_example_runs(jax: Any) -> None:
 
 @pytest.mark.parametrize("world", ["jax", "torch"])
 def test_outputs_that_are_turned(world: str) -> None:
-    pytest.importorskip(world)
+    imported(world)
     solver = getattr(pyrod, world).solver
     for wrong in ("tip_frame", ["tip", "frames"], []):
         with pytest.raises(ValueError, match="outputs"):
@@ -182,7 +210,7 @@ def test_scenes_that_jump() -> None:
 
 
 def test_torch_gradients() -> None:
-    torch = pytest.importorskip("torch")
+    torch = imported("torch")
     solve = pyrod.torch.solver(lambda *p: of_flat(np.hstack(p)), OUTPUTS)
     parts = [torch.tensor(a, requires_grad=True) for a in (FLAT[:3], FLAT[3:4], FLAT[4:])]
     told = solve(*parts)
