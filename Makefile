@@ -40,6 +40,7 @@ bench: build/system-packages $(VENV)/package $(VENV)/test-tools ## run the bench
 	@$(PY) benchmarks/call_overhead.py build/release/benchmarks/call
 	@$(PY) benchmarks/curves.py
 	@$(PY) benchmarks/sweep.py
+	@$(PY) benchmarks/gradient.py
 	@cd benchmarks && ../$(PY) -m peers.run
 
 sanitize: build/system-packages $(VENV)/test-tools ## run all tests under the sanitizers

@@ -31,6 +31,7 @@ py::dict told(const SceneChange& change) {
     out[py::str(text("reactions.", i, ".force"))] = array<3>(change.reaction_forces[i]);
     out[py::str(text("reactions.", i, ".moment"))] = array<3>(change.reaction_moments[i]);
   }
+  out["multipliers"] = array(change.multipliers);
   out["energy"] = change.energy;
   return out;
 }
@@ -51,6 +52,7 @@ SceneChange weights(const py::dict& given, SceneChange out) {
     take_one(text("reactions.", i, ".force"), out.reaction_forces[i]);
     take_one(text("reactions.", i, ".moment"), out.reaction_moments[i]);
   }
+  take("multipliers", out.multipliers);
   if (given.contains("energy")) out.energy = given["energy"].cast<double>();
   return out;
 }
@@ -112,8 +114,24 @@ void linear(py::module_& module) {
           "push",
           [](const Linearised& l, const Array& numbers) { return told(l.push(flat(numbers))); },
           py::arg("numbers"))
-      .def("pull", [](const Linearised& l,
-                      const py::dict& given) { return array(l.pull(weights(given, l.empty()))); })
+      .def("pull",
+           [](const Linearised& l, const py::dict& given) {
+             Vector rounding;
+             const auto gradient = l.pull(weights(given, l.empty()), &rounding);
+             return py::make_tuple(array(gradient), array(rounding));
+           })
+      .def("free",
+           [](const Linearised& l) {
+             py::list out;
+             for (const auto& change : l.free()) out.append(told(change));
+             return out;
+           })
+      .def("pushes_freely",
+           [](const Linearised& l) {
+             py::list out;
+             for (const auto& numbers : l.pushes_freely()) out.append(array(numbers));
+             return out;
+           })
       .def(
           "compliance",
           [](const Linearised& l, int rod, int vertex) {

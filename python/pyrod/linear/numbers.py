@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cached_property
 from typing import Any
 
@@ -12,6 +12,7 @@ import pyrod._core as _core
 from pyrod.base.arrays import array
 from pyrod.base.immutable import Array
 from pyrod.base.words import shortly
+from pyrod.linear.lift import Lift
 from pyrod.rotation import exp, multiply
 from pyrod.scene.changes import changed, entries_of, part_keys
 from pyrod.scene.loads import Load
@@ -19,6 +20,8 @@ from pyrod.scene.scene import Scene
 
 FIELDS = ("bending", "stretching", "K0")
 """Arrays of rods whose derivatives are known all at once."""
+_MOST = 2_000_000
+"""Numbers that are kept for one entry, once they are known."""
 _STENCIL = ((1, 45 / 60), (2, -9 / 60), (3, 1 / 60))
 """Sixth order: all numbers of networks are polynomials in those of scenes, or as smooth. It is
 these few numbers that are differenced, not equilibria."""
@@ -41,7 +44,16 @@ def slope(numbers: Callable[[float], Array], step: float, here: Array, name: str
 class Entry:
     """An entry of a scene that may change, by its path."""
 
-    def __init__(self, scene: Scene, compiled: _core.Linearised, path: str) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        compiled: _core.Linearised,
+        path: str,
+        first: Scene | None = None,
+        level: int = 0,
+    ) -> None:
+        """``first``: the scene of which this is one with every edge cut in 2^level; arrays along
+        rods are those of that one."""
         self.scene, self.path = scene, path
         self._compiled = compiled
         self.kind, self.which, *rest = part_keys(scene, path)
@@ -51,7 +63,9 @@ class Entry:
         self.is_frame = self.kind == "supports" and self.name == "frame"
         self.is_turns = self.kind == "supports" and self.name == "turns"
         self.value = self._value()
-        self.shape = (3,) if self.is_frame else np.shape(self.value)
+        self._lift = self._lift_from(first, level) if first and level else None
+        shape = self._lift.shape if self._lift else np.shape(self.value)
+        self.shape = (3,) if self.is_frame else shape
         self.size = int(np.prod(self.shape))
 
     def _value(self) -> Any:
@@ -71,12 +85,44 @@ class Entry:
         changed(self.scene, {self.path: 0.0})  # refuses what is no component
         return np.asarray(value[int(self.component[0])])
 
+    def _lift_from(self, first: Scene, level: int) -> Lift | None:
+        if not np.ndim(self.value) or self.kind != "rods":
+            return None
+        return Lift(first.rods[self.which], self.name, level)
+
+    @property
+    def is_of_one_grid(self) -> bool:
+        """Whether it is an array along a rod that finer edges do not know."""
+        if self.kind == "rods":
+            return bool(self.component)
+        return len(self.shape) > 1
+
+    @cached_property
+    def unit(self) -> float:
+        """How large changes of it are that count."""
+        rods = self.scene.rods
+        length = max(rod.length for rod in rods)
+        if self.is_frame or self.is_turns:
+            return 1.0
+        if self.kind == "supports" and self.name == "position":
+            return length
+        value = np.abs(self.value[np.isfinite(self.value)])
+        largest = float(value.max(initial=0.0))
+        if self.kind == "rods":
+            return max(largest, 1 / length) if self.name == "K0" else largest or 1.0
+        moment = max(float(rod.bending.max()) / rod.length for rod in rods)
+        return max(largest, moment / length**2)
+
     def numbers(self, direction: Any) -> Array:
         """The change of all numbers along a change of this entry."""
         v = array(direction, self.path)
         if v.shape != self.shape:
             raise ValueError(f"{self.path}: expected shape {self.shape}, got {v.shape}")
-        return self._of_rod(v) if self.is_direct else self._differenced(v)
+        return self._lifted(v)
+
+    def _lifted(self, v: Array) -> Array:
+        fine = self._lift.up(v) if self._lift else v
+        return self._of_rod(fine) if self.is_direct else self._differenced(fine)
 
     @cached_property
     def is_direct(self) -> bool:
@@ -86,7 +132,7 @@ class Entry:
         """
         if not (self.kind == "rods" and self.name in FIELDS and not self.component):
             return False
-        v = np.sin(np.arange(1.0, self.size + 1)).reshape(self.shape)
+        v = np.sin(np.arange(1.0, self.value.size + 1)).reshape(self.value.shape)
         if self.scene.space == "planar":  # where other components do nothing
             v = v * ([1, 0, 1] if self.name == "stretching" else [0, 1, 0])
         direct, all_of_it = self._of_rod(v), self._differenced(v)
@@ -143,22 +189,27 @@ class Entry:
     def gradient(self, numbers: Array) -> Array:
         """From the gradient in all numbers."""
         if self.is_direct:
-            fields = self._compiled.to_rod(self.which, numbers)
-            return fields[FIELDS.index(self.name)]
-        out = np.empty(self.size)
-        for i, unit in enumerate(self.units()):
-            out[i] = np.nan if unit is None else numbers @ unit
-        return out.reshape(self.shape)
+            field = self._compiled.to_rod(self.which, numbers)[FIELDS.index(self.name)]
+            return self._lift.down(field) if self._lift else field
+        units = self._kept_units if self.size * numbers.size <= _MOST else self.units()
+        out = [np.nan if unit is None else numbers @ unit for unit in units]
+        return np.array(out).reshape(self.shape)
 
-    def units(self) -> Any:
-        """The changes of all numbers for each of its own; None for what leaves the plane."""
+    @cached_property
+    def _kept_units(self) -> list[Array | None]:
+        return list(self.units())
+
+    def units(self) -> Iterator[Array | None]:
+        """The changes of all numbers for each of its own; None for what leaves the plane, and for
+        what pulls at a rod that is as long as it can be."""
         for i in range(self.size):
             unit = np.zeros(self.size)
             unit[i] = 1.0
             try:
-                yield self.numbers(unit.reshape(self.shape))
+                yield self._lifted(unit.reshape(self.shape))
             except ValueError as refused:
-                if not leaves_plane(self.scene, refused):
+                taut = "cannot stretch" in str(refused)
+                if not (taut or leaves_plane(self.scene, refused)):
                     raise
                 yield None
 

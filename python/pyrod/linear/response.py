@@ -12,7 +12,7 @@ from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.linear.grid import Grid
 from pyrod.linear.numbers import all_paths
-from pyrod.linear.rungs import Rungs, refuse_fields, refuse_of_one_grid
+from pyrod.linear.rungs import Rungs, refuse_entries, refuse_of_one_grid
 from pyrod.linear.told import Told
 from pyrod.linear.vibration import Modes, modes_of
 from pyrod.result.equilibrium import Equilibrium
@@ -75,7 +75,7 @@ class Linearised:
             raise ValueError("jvp: expected changes by their paths, got none")
         if not self._rungs.climbs:
             return self._grid.jvp(changes)
-        refuse_fields(self._grid.entry(path) for path in changes)
+        refuse_entries(self._grid.entry(path) for path in changes)
         return Told(self._rungs.told(lambda grid: grid.jvp(changes)), self.scene)
 
     def vjp(
@@ -90,11 +90,12 @@ class Linearised:
         wrt : paths
             Default: stiffnesses and curvatures of all rods, loads, and supports.
         """
-        if self._rungs.climbs:
-            raise ValueError(
-                "vjp: weights belong to one grid; solve without a tolerance, or ask for jacobian"
-            )
-        return self._grid.vjp(weights, all_paths(self.scene) if wrt is None else _paths_of(wrt))
+        paths = all_paths(self.scene) if wrt is None else _paths_of(wrt)
+        if not self._rungs.climbs:
+            return self._grid.vjp(weights, paths, wrt is not None)
+        refuse_entries(self._grid.entry(path) for path in paths)
+        refuse_of_one_grid(self.scene, weights, True)
+        return self._rungs.limits(lambda grid: grid.vjp(weights, paths, wrt is not None))
 
     def jacobian(self, output: str, wrt: str | Iterable[str]) -> dict[str, Array]:
         """Derivatives of an output, by path: the shape of the output, then that of the entry.
@@ -104,8 +105,8 @@ class Linearised:
         paths = _paths_of(wrt)
         if not self._rungs.climbs:
             return self._grid.jacobian(output, paths)
-        refuse_fields(self._grid.entry(path) for path in paths)
-        refuse_of_one_grid(self.scene, output)
+        refuse_entries(self._grid.entry(path) for path in paths)
+        refuse_of_one_grid(self.scene, [output], False)
         return self._rungs.limits(lambda grid: grid.jacobian(output, paths))
 
     def operator(self, output: str, wrt: str) -> Any:

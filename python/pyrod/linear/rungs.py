@@ -35,7 +35,8 @@ class Rungs:
         while len(self._grids) <= level:
             scene = self._grids[0].scene.refined(len(self._grids))
             before = halved(self._grids[-1].result)
-            self._grids.append(Grid(solved(scene, start=before, stable=False)))
+            found = solved(scene, start=before, stable=False)
+            self._grids.append(Grid(found, self._grids[0], len(self._grids)))
         return self._grids[level]
 
     def limit(self, name: str, of: Callable[[Grid], Array]) -> Array:
@@ -79,32 +80,34 @@ class Rungs:
         return self.limits(lambda grid: self._on_first(grid, of(grid)))
 
     def _on_first(self, grid: Grid, told: dict[str, Any]) -> dict[str, Any]:
-        stride = 2 ** self._grids.index(grid)
+        stride = 2**grid.level
         out = {}
         for name, value in told.items():
             what = name.rsplit(".", 1)[-1]
             if name.startswith("rods.") and what in _AT_VERTICES:
                 out[name] = value[::stride]
-            elif not name.startswith("rods."):
+            elif not name.startswith("rods.") and name != "multipliers":
                 out[name] = value
         return out
 
 
-def refuse_fields(entries: Iterable[Entry]) -> None:
-    """Arrays along a rod belong to one grid."""
-    for entry in entries:
-        if len(entry.shape) > 1 or (entry.kind == "rods" and entry.shape):
+def refuse_of_one_grid(scene: Scene, outputs: Iterable[str], whole: bool) -> None:
+    """Refuses outputs that are not at the same places of all grids; ``whole``: not arrays."""
+    for output in outputs:
+        path, row = resolved(scene, output)
+        what = path.rsplit(".", 1)[-1]
+        same = what in _AT_VERTICES and (whole or row is not None)
+        if path == "multipliers" or (path.startswith("rods.") and not same):
             raise ValueError(
-                f"{entry.path}: belongs to one grid; solve without a tolerance for its derivatives"
+                f"{output}: with a tolerance jacobian tells tip, tip_frame, energy and reactions; "
+                "jvp and vjp know positions and vertex_frames, too"
             )
 
 
-def refuse_of_one_grid(scene: Scene, output: str) -> None:
-    """Refuses outputs that are not at the same places of all grids."""
-    path, row = resolved(scene, output)
-    what = path.rsplit(".", 1)[-1]
-    if path.startswith("rods.") and (row is None or what not in _AT_VERTICES):
-        raise ValueError(
-            f"{output}: with a tolerance jacobian tells tip, tip_frame, energy and reactions; jvp "
-            "tells positions and vertex_frames, too"
-        )
+def refuse_entries(entries: Iterable[Entry]) -> None:
+    """Of loads along a rod: only their own edges know them."""
+    for entry in entries:
+        if entry.is_of_one_grid:
+            raise ValueError(
+                f"{entry.path}: belongs to one grid; solve without a tolerance for its derivatives"
+            )

@@ -45,7 +45,7 @@ def resolved(scene: Scene, name: str) -> tuple[str, int | None]:
             )
         parts = ["rods", "0", name]
     whole = ".".join(parts)
-    if whole == "energy":
+    if whole in _OF_SCENES:
         return whole, None
     if len(parts) == 3 and parts[1].isdecimal():
         kind, number, what = parts
@@ -57,11 +57,12 @@ def resolved(scene: Scene, name: str) -> tuple[str, int | None]:
                 return whole, None
         if kind == "reactions" and int(number) < len(scene.supports) and what in _REACTION:
             return whole, None
-    known = [*OF_RODS, *ENDS, "energy", "reactions.0.force", "reactions.0.moment"]
+    known = [*OF_RODS, *ENDS, *_OF_SCENES, "reactions.0.force", "reactions.0.moment"]
     raise ValueError(f"output: there is no {shortly(name)}; there are {listed(known)}")
 
 
 _REACTION = ("force", "moment")
+_OF_SCENES = ("energy", "multipliers")
 
 
 def weights_of(scene: Scene, given: Mapping[str, Any], shapes: Mapping[str, Any]) -> dict[str, Any]:

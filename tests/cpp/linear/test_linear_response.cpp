@@ -231,6 +231,33 @@ TEST_CASE_TEMPLATE("after the first product nothing is allocated", Space, EACH_S
   CHECK(allocations() == before);
 }
 
+TEST_CASE_TEMPLATE("several changes at once are those one by one", Space, EACH_SPACE) {
+  Random random(8);
+  Structure<Space> clamped;  // where nothing is added to the matrix
+  clamped.clamp(clamped.add(6), 0);
+  for (const auto& net : {random_network<Space>(random, {}), clamped.net}) {
+    const Balanced<Space> base(net);
+    LinearResponse<Space> linear(base.posed.problem(), base.x);
+    std::vector<Items<Space>> numbers(5, linear.no_numbers());
+    for (auto& one : numbers)
+      for (int rod = 0; rod < int(net.rods.size()); ++rod)
+        one.col(linear.number_items().force(rod, 2)).template head<Space::dim>() =
+            random.template vector<Space::dim>();
+    auto change = linear.no_change(), alone = change;
+    int seen = 0;
+    linear.push_all(
+        5, [&](int k) -> const Items<Space>& { return numbers[k]; }, change,
+        [&](int k, const auto& out) {
+          CHECK(k == seen++);
+          linear.push(numbers[k], alone);
+          CHECK((out.state - alone.state).norm() <= 1e-12 * alone.state.norm());
+          CHECK((out.told - alone.told).norm() <= 1e-12 * alone.told.norm());
+          CHECK((out.positions - alone.positions).norm() <= 1e-12 * alone.positions.norm());
+        });
+    CHECK(seen == 5);
+  }
+}
+
 TEST_CASE("the tangent's transpose is that of the solver's product") {
   Random random(8);
   const Balanced<Spatial> base(random_network<Spatial>(random, {true, true}));

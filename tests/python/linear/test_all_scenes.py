@@ -92,3 +92,47 @@ def test_derivatives_of_any_scene(scene: pyrod.Scene, seed: int) -> None:
         # else differences tell little
         if rough < 1e-8 * size and size > 1e-9 * unit_of(linear.scene, name):
             assert found == pytest.approx(expected, abs=1e-6 * size), (path, name)
+
+
+@pytest.mark.filterwarnings("ignore")
+@settings(
+    max_examples=30,
+    deadline=None,
+    phases=[Phase.explicit, Phase.generate],
+    suppress_health_check=list(HealthCheck),
+)
+@given(scenes(), st.integers(0, 2**16))
+def test_backward_is_forward_of_any_scene(scene: pyrod.Scene, seed: int) -> None:
+    """Sums of all that has a derivative, under a change of all at once."""
+    assume(sum(rod.edges for rod in scene.rods) <= 40)
+    linear = linearised(scene)
+    assume(linear is not None and not linear._grid.free)
+    rng = np.random.default_rng(seed)
+    paths = all_paths(linear.scene)
+    try:
+        zeros = linear._grid.zeros
+        v = {path: direction(rng, linear._grid.entry(path)) for path in paths}
+        change = linear.jvp(v)
+        known = {name: np.isfinite(change[name]) for name in zeros}
+        w = {name: rng.standard_normal(np.shape(zeros[name])) * known[name] for name in zeros}
+        gradient = linear.vjp(w, paths)
+    except HARD:
+        assume(False)
+    parts = [w[name][known[name]] * np.asarray(change[name])[known[name]] for name in zeros]
+    forward, size = sum(map(np.sum, parts)), sum(np.abs(part).sum() for part in parts)
+    backward = [np.nansum(gradient[path] * v[path]) for path in paths]
+    size = max(size, float(np.abs(backward).sum()))
+    assert abs(forward - sum(backward)) <= 1e-9 * size
+
+
+def direction(rng: np.random.Generator, entry: Any) -> Array:
+    """A change that stays in the plane of a planar scene, of the size of what it changes."""
+    v = entry.unit * rng.standard_normal(entry.shape)
+    value = np.broadcast_to(entry.value, entry.shape) if entry.shape == entry.value.shape else v
+    v = np.where(np.isfinite(value), v, 0.0)
+    if entry.scene.space != "planar" or entry.kind == "rods":
+        return v
+    flat = np.reshape(v, -1)
+    for i, unit in enumerate(entry.units()):
+        flat[i] = 0.0 if unit is None else flat[i]
+    return flat.reshape(entry.shape)

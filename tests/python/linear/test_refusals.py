@@ -25,13 +25,6 @@ def test_at_a_critical_load() -> None:
         pyrod.linearised(result)
 
 
-def test_where_something_moves_freely() -> None:
-    """A round rod between ball joints turns about its chord."""
-    scene = Scene(Rod.straight(1.0, 16, UNIT), [Hinge((0, 0, 0)), Hinge((0, 0, 0.8), at="end")])
-    with pytest.raises(pyrod.SingularEquilibrium):
-        pyrod.linearised(pyrod.solve(scene))
-
-
 def test_forces_that_are_not_determined() -> None:
     """A straight inextensible rod between clamps may carry any axial force."""
     scene = Scene(Rod.straight(1.0, 16, UNIT), [Clamp(), Clamp((0, 0, 1.0), at="end")])
@@ -62,6 +55,30 @@ def test_shapes_that_are_not_determined() -> None:
         linear.vjp({"positions": np.ones((17, 3))}, "rods.0.K0")
     with pytest.raises(pyrod.SingularEquilibrium, match="straight"):
         linear.compliance(0.5)
+
+
+def test_gradients_that_are_not_determined() -> None:
+    """Of what nothing asks for by name they are NaN; twist is known."""
+    scene = Scene(Rod.straight(1.0, 16, UNIT), [Clamp(), Clamp((0, 0, 1.0), at="end")])
+    linear = pyrod.linearised(pyrod.solve(scene))
+    weights = np.random.default_rng(1).standard_normal((16, 3))
+    gradient = linear.vjp({"frames": weights})
+    assert np.isnan(gradient["rods.0.K0"][1:-1, :2]).all()
+    twist = gradient["rods.0.K0"][:, 2]
+    assert np.isfinite(twist).all()
+    v = np.outer(np.cos(np.arange(17)), [0, 0, 1.0])
+    change = linear.jvp({"rods.0.K0": v})
+    assert v[:, 2] @ twist == pytest.approx(np.sum(weights * change["frames"]), rel=1e-9)
+
+
+def test_gradients_of_taut_rods() -> None:
+    """A part in 10^10 longer than its supports are apart: what bends it is not known."""
+    supports = [Clamp(), Hinge((0, 0, 1.0 - 1e-10), at="end")]
+    scene = Scene(Rod.straight(1.0, 16, UNIT), supports, Force((0, 1e-3, 0), at=0.5))
+    linear = pyrod.linearised(pyrod.solve(scene))
+    gradient = linear.vjp({"tip_frame": (0, 0, 1.0)})
+    assert np.isnan(gradient["supports.1.position"]).any() or np.isnan(gradient["rods.0.K0"]).any()
+    assert np.isfinite(gradient["rods.0.K0"][:, 2]).all()
 
 
 def taut(gap: float, turn: np.ndarray, force: float = 1e-3) -> np.ndarray:

@@ -49,7 +49,7 @@ void set_numbers(CellOfNetwork<Space>& c, const Spin<Space>& C, const Spin<Space
 
 }  // namespace detail
 
-/// Calls visit(cell) for all that the energy has. Free ends are no part of it.
+/// Finds all that the energy has but free ends.
 template <class Space>
 class Cells {
  public:
@@ -64,16 +64,32 @@ class Cells {
         numbers_(layout),
         attached_(layout) {}
 
+  /// Calls visit(cell) for those between two edges of a span.
   template <class Visit>
-  void for_each(Visit&& visit) const {
-    for (const auto& span : layout_.spans()) {
+  void for_each_inside(const Span<Space>& span, Visit&& visit) const {
+    for (int j = span.first + 1; j < span.last; ++j) visit(inner(span.rod, j));
+  }
+
+  /// Calls visit(cell) for those between the last edge of a span and the first of the next.
+  template <class Visit>
+  void for_each_between(Visit&& visit) const {
+    for_each_attached([&](int rod, int i, int before, int behind) {
+      if (!layout_.attached(rod)[i].rigid && before >= 0 && behind >= 0)
+        visit(turn(rod, i, before, behind));
+    });
+  }
+
+  /// Calls visit(cell) for the halves beside frames that are held.
+  template <class Visit>
+  void for_each_half(Visit&& visit) const {
+    for (const auto& span : layout_.spans())
       if (layout_.clamp_of(span)) visit(clamped(span));
-      for (int j = span.first + 1; j < span.last; ++j) visit(inner(span.rod, j));
-    }
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
-      const auto& on = layout_.attached(rod);
-      for (int i = 0; i < int(on.size()); ++i) at(rod, i, visit);
-    }
+    for_each_attached([&](int rod, int i, int before, int behind) {
+      const auto& a = layout_.attached(rod)[i];
+      if (!a.rigid) return;
+      if (before >= 0) visit(half(rod, i, before, Side::before));
+      if (behind >= 0 && !layout_.clamps(a)) visit(half(rod, i, behind, Side::behind));
+    });
   }
 
  private:
@@ -125,19 +141,16 @@ class Cells {
     return c;
   }
 
-  /// As `NetworkCells` finds them.
+  /// With the edges beside, as `NetworkCells` finds them.
   template <class Visit>
-  void at(int rod, int i, Visit&& visit) const {
-    const auto& a = layout_.attached(rod)[i];
-    const auto& r = net_.rods[rod];
-    const int n = r.edges();
-    const int before = a.vertex > 0 ? a.vertex - 1 : r.grid.closed() ? n - 1 : -1;
-    const int behind = a.vertex < n ? a.vertex : -1;
-    if (a.rigid) {
-      if (before >= 0) visit(half(rod, i, before, Side::before));
-      if (behind >= 0 && !layout_.clamps(a)) visit(half(rod, i, behind, Side::behind));
-    } else if (before >= 0 && behind >= 0) {
-      visit(turn(rod, i, before, behind));
+  void for_each_attached(Visit&& visit) const {
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
+      const auto& on = layout_.attached(rod);
+      const auto& grid = net_.rods[rod].grid;
+      for (int i = 0; i < int(on.size()); ++i) {
+        const int n = grid.edges(), j = on[i].vertex;
+        visit(rod, i, j > 0 ? j - 1 : grid.closed() ? n - 1 : -1, j < n ? j : -1);
+      }
     }
   }
 

@@ -82,6 +82,7 @@ class NumberItems {
   int compliance(int e) const { return 3 * edges_ + e; }  ///< S
   int moment(int e) const { return 4 * edges_ + e; }      ///< dead
   int following(int e) const { return 5 * edges_ + e; }   ///< a moment in the frame
+  int of_edges() const { return 6 * edges_; }             ///< all these
   int stiffness(int a, Side s) const { return 6 * edges_ + 2 * a + int(s); }
   int rest(int a, Side s) const { return 6 * edges_ + 2 * (attached_ + a) + int(s); }
   int relative(int a) const { return 6 * edges_ + 4 * attached_ + a; }

@@ -8,24 +8,20 @@
 
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
-#include <pyrod/linear/follower_turns.hpp>
-#include <pyrod/linear/force_sums.hpp>
+#include <pyrod/linear/free_changes.hpp>
 #include <pyrod/linear/items.hpp>
 #include <pyrod/linear/position_sums.hpp>
-#include <pyrod/linear/residual_maps.hpp>
+#include <pyrod/linear/response_change.hpp>
 #include <pyrod/linear/response_equations.hpp>
-#include <pyrod/linear/told_items.hpp>
-#include <pyrod/linear/told_maps.hpp>
-#include <pyrod/linear/unknown_rows.hpp>
-#include <pyrod/rotation/space.hpp>
-#include <pyrod/statics/equations/edge_columns.hpp>
-#include <pyrod/statics/equations/network_loads.hpp>
+#include <pyrod/linear/response_steps.hpp>
+#include <pyrod/solve/singular_equilibrium.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pyrod {
@@ -34,42 +30,43 @@ template <class Space>
 class LinearResponse {
  public:
   static constexpr int dim = Space::dim, spin = Space::spin;
-  using Points = typename PositionSums<Space>::Points;
-
-  /// What changes: the state, see `StateItems`; what is told, see `ToldItems`; positions of the
-  /// vertices, see `PositionSums`.
-  struct Change {
-    Items<Space> state, told;
-    Points positions;
-  };
+  using Change = ResponseChange<Space>;
 
   /// `x`: the equilibrium of the problem, to rounding. Both must stay where they are. Throws
-  /// `SingularEquilibrium` where a mode has no stiffness.
+  /// `SingularEquilibrium` where a mode has no stiffness, but for free motions.
   LinearResponse(const NetworkProblem<Space>& problem, const NetworkState<Space>& x);
 
-  const Layout<Space>& layout() const { return layout_; }
-  const StateItems<Space>& state_items() const { return state_; }
-  const NumberItems<Space>& number_items() const { return numbers_; }
-  const ToldItems<Space>& told_items() const { return told_items_; }
-  const PositionSums<Space>& positions() const { return place_; }
-  const NetworkState<Space>& state() const { return x_; }
+  const Layout<Space>& layout() const { return at_.layout; }
+  const StateItems<Space>& state_items() const { return at_.state; }
+  const NumberItems<Space>& number_items() const { return at_.numbers; }
+  const ToldItems<Space>& told_items() const { return at_.told; }
+  const PositionSums<Space>& positions() const { return steps_.place(); }
+  const NetworkState<Space>& state() const { return at_.x; }
 
   /// Zeros, to be filled.
   Items<Space> no_numbers() const {
-    return Items<Space>::Zero(item_width<Space>, numbers_.count());
+    return Items<Space>::Zero(item_width<Space>, at_.numbers.count());
   }
-  Change no_change() const {
-    return {Items<Space>::Zero(item_width<Space>, state_.count()),
-            Items<Space>::Zero(item_width<Space>, told_items_.count()),
-            Points::Zero(dim, place_.columns())};
-  }
+  Change no_change() const { return Change(at_); }
 
-  /// What a change of the numbers does. Items that are unknown here are NaN.
+  /// What a change of the numbers does. Items that are unknown here, or move freely, are NaN.
+  /// Throws `SingularEquilibrium` if it pushes along a free motion.
   void push(const Items<Space>& numbers, Change& out);
+  /// The same of so many changes, whose equations are solved at once: numbers(k) is asked for
+  /// twice, and visit(k, out) called for each. Of those that push along a free motion all is NaN.
+  template <class Numbers, class Visit>
+  void push_all(int count, Numbers&& numbers, Change& out, Visit&& visit);
 
   /// To the numbers, from what is told: the gradient of Σ from·told. Nothing may be asked of items
-  /// that are unknown here.
+  /// that are unknown here, nor of a sum that changes with a free motion. It holds for changes that
+  /// push along none.
   void pull(const Change& from, Items<Space>& numbers);
+  /// How far rounding moves the last gradient, if it may matter; `numbers`: zeros if not.
+  void pull_rounding(Items<Space>& numbers);
+  /// What pushes along a free motion, of 1 rad or a length.
+  void pull_free(int k, Items<Space>& numbers) { steps_.pull_alone(free_motion(k), numbers); }
+  /// What each free motion changes.
+  const std::vector<Change>& free() const { return free_.all(); }
 
   /// See `ResponseEquations`.
   std::optional<double> softest() const { return equations_.softest(); }
@@ -79,161 +76,154 @@ class LinearResponse {
   bool symmetric() const { return equations_.symmetric(); }
 
  private:
-  void forget_forces(Change& out) const;
-  void push_state(const Vector& δ, Items<Space>& state);
+  Vector free_motion(int k) const;
+  void find_free_changes();
+  bool pushes_freely(const Vector& side, const Change& out) const;
+  void finish(const Items<Space>& numbers, Change& out);
+  void forget(Change& out) const;
+  void require_known(const Change& from) const;
   double noise(const Change& out) const;
 
   const NetworkProblem<Space>& problem_;
-  const Layout<Space>& layout_;
-  const NetworkState<Space>& x_;
-  NetworkLoads<Space> loads_;
-  EdgeColumns<Space> columns_;
-  StateItems<Space> state_;
-  NumberItems<Space> numbers_;
-  ToldItems<Space> told_items_;
-  UnknownRows<Space> rows_;
-  typename NetworkProblem<Space>::Acting changed_;
-  std::vector<Point<Space>> sections_;
-  ResidualMaps<Space> residual_;
-  ToldMaps<Space> told_;
-  ForceSums<Space> force_;
-  PositionSums<Space> place_;
-  ItemMap<Space> followed_;
+  ResponseSteps<Space> steps_;
+  const AtState<Space>& at_;
   ResponseEquations<Space> equations_;
-  Vector rhs_, δ_;
-  Items<Space> moved_, work_, forces_, reach_;
-  Change pulled_;
+  FreeChanges<Space> free_;
+  Vector side_, δ_;
+  Eigen::MatrixXd all_, sides_;
 };
 
 template <class Space>
 LinearResponse<Space>::LinearResponse(const NetworkProblem<Space>& problem,
                                       const NetworkState<Space>& x)
     : problem_(problem),
-      layout_(problem.layout()),
-      x_(x),
-      loads_(layout_),
-      columns_(edge_columns(layout_)),
-      state_(layout_),
-      numbers_(layout_),
-      told_items_(layout_),
-      rows_(layout_),
-      sections_(problem.sections(x, problem.acting(x, changed_))),
-      residual_(layout_, loads_, columns_, x, sections_),
-      told_(layout_, loads_, columns_, x, sections_),
-      force_(layout_),
-      place_(layout_),
-      followed_(follower_turns(layout_, x)),
-      equations_(problem, x, residual_, followed_, force_),
-      moved_(Items<Space>::Zero(item_width<Space>, state_.count())),
-      work_(moved_),
-      forces_(no_numbers()),
-      reach_(Items<Space>::Zero(item_width<Space>, layout_.edges())) {
-  rhs_.resize(layout_.unknowns());
+      steps_(problem, x),
+      at_(steps_.at()),
+      equations_(problem, x,
+                 {steps_.chains(), steps_.residual(), steps_.followed(), steps_.force()}),
+      free_(at_) {
+  find_free_changes();
+}
+
+/// Its largest turn, or displacement, is 1.
+template <class Space>
+Vector LinearResponse<Space>::free_motion(int k) const {
+  const Vector mode = equations_.free().col(k);
+  return mode /
+         (problem_.stiffness().array() > 0).select(mode, 0.).template lpNorm<Eigen::Infinity>();
 }
 
 template <class Space>
-void LinearResponse<Space>::forget_forces(Change& out) const {
-  for (const int p : equations_.undetermined()) {
-    for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
-      out.state.col(state_.force(e)).setConstant(std::nan(""));
-    for (const int v : {layout_.spans()[p].start, layout_.spans()[p].end})
-      out.told.col(told_items_.reaction_force(v)).setConstant(std::nan(""));
+void LinearResponse<Space>::find_free_changes() {
+  for (int k = 0; k < int(equations_.free().cols()); ++k) {
+    Change moved = no_change();
+    steps_.add_unknowns(free_motion(k), moved.state);
+    steps_.tell(no_numbers(), moved);
+    free_.add(std::move(moved));
   }
+}
+
+/// Whether a right side pushes along a free motion, more than by rounding.
+template <class Space>
+bool LinearResponse<Space>::pushes_freely(const Vector& side, const Change& out) const {
+  for (int k = 0; k < int(free_.all().size()); ++k)
+    if (!free_.is_rounding(free_motion(k).dot(side), side, out)) return true;
+  return false;
+}
+
+template <class Space>
+void LinearResponse<Space>::forget(Change& out) const {
+  free_.forget(out);
+  for (const int i : steps_.told().unknown()) out.told.col(i).setConstant(std::nan(""));
+  for (const int p : equations_.undetermined()) {
+    for (int e = at_.layout.first_edge(p); e <= at_.layout.last_edge(p); ++e)
+      out.state.col(at_.state.force(e)).setConstant(std::nan(""));
+    for (const int v : {at_.layout.spans()[p].start, at_.layout.spans()[p].end})
+      out.told.col(at_.told.reaction_force(v)).setConstant(std::nan(""));
+  }
+}
+
+template <class Space>
+void LinearResponse<Space>::require_known(const Change& from) const {
+  for (const int i : steps_.told().unknown())
+    require(
+        from.told.col(i).isZero(0),
+        "linear: derivatives beside a jump, or a moment inside of a rod, of curvatures, frames of "
+        "vertices and moments are not known there");
+  for (const int p : equations_.undetermined())
+    for (int e = at_.layout.first_edge(p); e <= at_.layout.last_edge(p); ++e)
+      require(from.state.col(at_.state.force(e)).isZero(0),
+              "linear: the section force of a span is not determined, and has no derivative");
 }
 
 /// Of turns that are rounding: what the largest change of a moment bends, 1e-12 of it.
 template <class Space>
 double LinearResponse<Space>::noise(const Change& out) const {
-  const double unit = layout_.unit_moment(),
-               moment = out.told.middleCols(told_items_.moment(0), told_items_.vertices())
+  const double unit = at_.layout.unit_moment(),
+               moment = out.told.middleCols(at_.told.moment(0), at_.told.vertices())
                             .template lpNorm<Eigen::Infinity>();
   return 1e-24 * moment * moment / unit;
 }
 
-/// Adds what follows from the unknowns' part of a change: held frames, and section forces.
 template <class Space>
-void LinearResponse<Space>::push_state(const Vector& δ, Items<Space>& state) {
-  rows_.spread(δ, state);
-  for (int p = 0; p < int(layout_.spans().size()); ++p)
-    if (layout_.spans()[p].block >= 0)
-      for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
-        state.col(state_.force(e)) += state.col(state_.gap(p));
-  if (problem_.dead_loads()) return;
-  forces_.setZero();
-  followed_.multiply(state, forces_);
-  force_.multiply(forces_, state);
+void LinearResponse<Space>::finish(const Items<Space>& numbers, Change& out) {
+  steps_.add_unknowns(δ_, out.state);
+  steps_.tell(numbers, out);
+  if (equations_.doubtful()) equations_.require_sure(δ_, noise(out));
 }
 
 template <class Space>
 void LinearResponse<Space>::push(const Items<Space>& numbers, Change& out) {
-  moved_.setZero(), work_.setZero();
-  residual_.moves().multiply(numbers, moved_);
-  force_.multiply(numbers, moved_);
-  out.state = moved_;  // without the held frames that follow from nodes, which come at the end
-  residual_.holds().multiply(moved_, moved_);
-  residual_.of_state().multiply(moved_, work_);
-  residual_.of_numbers().multiply(numbers, work_);
-  residual_.holds().pull(work_, work_);
-  rows_.gather(work_, rhs_);
-  rhs_ = -rhs_;
-  equations_.solve(rhs_, δ_, false);
-  push_state(δ_, out.state);
-  residual_.holds().multiply(out.state, out.state);
-  out.told.setZero();
-  told_.of_state().multiply(out.state, out.told);
-  told_.of_numbers().multiply(numbers, out.told);
-  if (equations_.doubtful()) equations_.require_sure(δ_, noise(out));
-  reach_ = out.told.leftCols(layout_.edges());
-  place_.multiply(out.state, reach_, out.positions);
-  for (int i = 0; i < told_items_.count(); ++i)
-    if (told_.unknown()[i]) out.told.col(i).setConstant(std::nan(""));
-  forget_forces(out);
+  steps_.start(numbers, out.state);
+  steps_.find_right_side(numbers, out.state, side_);
+  equations_.solve(side_, δ_, false);
+  finish(numbers, out);
+  if (pushes_freely(side_, out))
+    throw SingularEquilibrium(
+        "linear: the equilibrium may move freely, and this change pushes it along: there is no "
+        "derivative",
+        0);
+  forget(out);
+}
+
+template <class Space>
+template <class Numbers, class Visit>
+void LinearResponse<Space>::push_all(int count, Numbers&& numbers, Change& out, Visit&& visit) {
+  sides_.resize(at_.layout.unknowns(), count);
+  for (int k = 0; k < count; ++k) {
+    const Items<Space>& change = numbers(k);
+    steps_.start(change, out.state);
+    steps_.find_right_side(change, out.state, side_);
+    sides_.col(k) = side_;
+  }
+  all_ = sides_;
+  equations_.solve_all(all_);
+  for (int k = 0; k < count; ++k) {
+    const Items<Space>& change = numbers(k);
+    steps_.start(change, out.state);
+    δ_ = all_.col(k), side_ = sides_.col(k);
+    finish(change, out);
+    pushes_freely(side_, out) ? out.set_nan() : forget(out);
+    visit(k, out);
+  }
 }
 
 template <class Space>
 void LinearResponse<Space>::pull(const Change& from, Items<Space>& numbers) {
-  for (int i = 0; i < told_items_.count(); ++i)
-    require(
-        !told_.unknown()[i] || from.told.col(i).isZero(0),
-        "linear: derivatives beside a jump, or a moment inside of a rod, of curvatures, frames of "
-        "vertices and moments are not known there");
-  for (const int p : equations_.undetermined())
-    for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
-      require(from.state.col(state_.force(e)).isZero(0),
-              "linear: the section force of a span is not determined, and has no derivative");
-  auto &state = pulled_.state, &told = pulled_.told;
-  state = from.state, told = from.told;
-  reach_ = told.leftCols(layout_.edges());
-  place_.pull(from.positions, state, reach_);
-  told.leftCols(layout_.edges()) = reach_;
+  require_known(from);
+  free_.require_unmoved(from);
+  steps_.weigh(from, side_);
+  equations_.solve(side_, δ_, true);
+  steps_.pull(δ_, numbers);
+}
+
+template <class Space>
+void LinearResponse<Space>::pull_rounding(Items<Space>& numbers) {
   numbers.setZero();
-  told_.of_numbers().pull(told, numbers);
-  told_.of_state().pull(told, state);
-  residual_.holds().pull(state, state);
-  work_ = state;  // to the unknowns
-  if (!problem_.dead_loads()) {
-    forces_.setZero();
-    force_.pull(state, forces_);
-    followed_.pull(forces_, work_);
-  }
-  for (int p = 0; p < int(layout_.spans().size()); ++p)
-    if (layout_.spans()[p].block >= 0)
-      for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
-        work_.col(state_.gap(p)) += state.col(state_.force(e));
-  rows_.gather(work_, rhs_);
-  rhs_ = -rhs_;
-  equations_.solve(rhs_, δ_, true);
-  if (equations_.doubtful()) equations_.require_sure(δ_, 0);
-  moved_.setZero();
-  rows_.spread(δ_, moved_);
-  residual_.holds().multiply(moved_, moved_);
-  residual_.of_numbers().pull(moved_, numbers);
-  work_.setZero();
-  residual_.of_state().pull(moved_, work_);
-  residual_.holds().pull(work_, work_);
-  state += work_;
-  residual_.moves().pull(state, numbers);
-  force_.pull(state, numbers);
+  if (!equations_.doubtful()) return;
+  Vector moved;
+  equations_.find_rounding(δ_, moved);
+  steps_.pull_alone(moved, numbers);
 }
 
 }  // namespace pyrod

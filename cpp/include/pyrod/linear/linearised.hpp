@@ -23,7 +23,7 @@ template <std::same_as<Settings> S>
 class LinearisedScene {
  public:
   /// `near`: an equilibrium of that scene, with a tolerance or without. Throws `InvalidArgument` if
-  /// there is none, and `SingularEquilibrium` where there are no derivatives.
+  /// there is none, and `SingularEquilibrium` at a critical one.
   LinearisedScene(const SceneSolver<S>& scene, const Equilibrium& near);
 
   /// Numbers of a scene that differs from this one in numbers only. Frames of supports and joints
@@ -38,10 +38,19 @@ class LinearisedScene {
   /// The transpose.
   RodFields to_rod(int rod, const Vector& numbers) const;
 
-  /// What a change of the numbers does: the derivative along it.
+  /// What a change of the numbers does: the derivative along it. NaN where there is none; throws
+  /// `SingularEquilibrium` if it pushes along a free motion.
   SceneChange push(const Vector& numbers) const;
-  /// The gradient of Σ weights·told in all numbers: the adjoint.
-  Vector pull(const SceneChange& weights) const;
+  /// The gradient of Σ weights·told in all numbers: the adjoint. `rounding`, if it is asked for:
+  /// how far rounding moves the gradient, where inextensible rods are all but straight; if not,
+  /// what moves it is refused. Where there are free motions, none of which may change that sum, it
+  /// holds for changes that push along none.
+  Vector pull(const SceneChange& weights, Vector* rounding = nullptr) const;
+
+  /// What each free motion of the equilibrium changes.
+  std::vector<SceneChange> free() const;
+  /// How numbers push along these: those that do have no derivatives.
+  std::vector<Vector> pushes_freely() const;
 
   /// Displacement and rotation vector of a vertex, in space, under unit force and moment there, in
   /// its columns. Those of loads that leave the plane of a planar scene are NaN.

@@ -76,8 +76,18 @@ SceneChange LinearisedScene<S>::push(const Vector& numbers) const {
 }
 
 template <std::same_as<Settings> S>
-Vector LinearisedScene<S>::pull(const SceneChange& weights) const {
-  return parts_->visit([&](auto& r) { return r.pull(weights); });
+Vector LinearisedScene<S>::pull(const SceneChange& weights, Vector* rounding) const {
+  return parts_->visit([&](auto& r) { return r.pull(weights, rounding); });
+}
+
+template <std::same_as<Settings> S>
+std::vector<SceneChange> LinearisedScene<S>::free() const {
+  return parts_->visit([](auto& r) { return r.free(); });
+}
+
+template <std::same_as<Settings> S>
+std::vector<Vector> LinearisedScene<S>::pushes_freely() const {
+  return parts_->visit([](auto& r) { return r.pushes_freely(); });
 }
 
 template <std::same_as<Settings> S>

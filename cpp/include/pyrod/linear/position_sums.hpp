@@ -4,6 +4,7 @@
 
 #include <pyrod/core/types.hpp>
 #include <pyrod/linear/items.hpp>
+#include <pyrod/linear/response_change.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 
@@ -18,7 +19,7 @@ template <class Space>
 class PositionSums {
  public:
   static constexpr int dim = Space::dim;
-  using Points = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+  using Points = typename ResponseChange<Space>::Points;
 
   explicit PositionSums(const Layout<Space>& layout)
       : layout_(layout), state_(layout), nodes_(dim, layout.network().nodes.size()) {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file How the residual of a network changes with its numbers, and with that part of its state
-/// which they move: held frames, places, section forces.
+/// \file How the residual of a network changes at its nodes with its numbers, and with that part of
+/// its state which they move: held frames, places. Edges and what is between them: see `Chains`.
 #pragma once
 
 #include <pyrod/core/types.hpp>
+#include <pyrod/linear/at_state.hpp>
 #include <pyrod/linear/cells.hpp>
-#include <pyrod/linear/edge_maps.hpp>
 #include <pyrod/linear/items.hpp>
 #include <pyrod/rotation/space.hpp>
-#include <pyrod/statics/equations/edge_columns.hpp>
-#include <pyrod/statics/equations/network_loads.hpp>
 #include <pyrod/statics/equations/network_rows.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
@@ -33,35 +31,26 @@ class ResidualMaps {
   using Rotation = typename Space::Rotation;
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  /// `sections`: section forces on all edges.
-  ResidualMaps(const Layout<Space>& layout, const NetworkLoads<Space>& loads,
-               const EdgeColumns<Space>& columns, const NetworkState<Space>& x,
-               const std::vector<Point<Space>>& sections)
-      : layout_(layout),
-        net_(layout.network()),
-        loads_(loads),
-        columns_(columns),
-        x_(x),
-        sections_(sections),
-        state_(layout),
-        numbers_(layout),
-        attached_(layout) {
-    Cells<Space>(layout, x).for_each([&](const auto& cell) { add(cell); });
-    for (int p = 0; p < int(layout.spans().size()); ++p) add_span(p);
-    for (int v = 0; v < int(net_.nodes.size()); ++v) add_place(v), add_turn(v), move_node(v);
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
-      const auto& on = layout.attached(rod);
-      for (int i = 0; i < int(on.size()); ++i) add_attachment(on[i], attached_.of(rod, i));
+  /// `at` must stay where it is.
+  explicit ResidualMaps(const AtState<Space>& at) : at_(at) {
+    Cells<Space>(at.layout, at.x).for_each_half([&](const auto& cell) { add(cell); });
+    for (int p = 0; p < int(at.layout.spans().size()); ++p) add_span(p);
+    for (int v = 0; v < int(at.net.nodes.size()); ++v) add_place(v), add_turn(v), move_node(v);
+    for (int rod = 0; rod < int(at.net.rods.size()); ++rod) {
+      const auto& on = at.layout.attached(rod);
+      for (int i = 0; i < int(on.size()); ++i) add_attachment(on[i], at.attached.of(rod, i));
     }
-    for (const auto& [e, m] : loads.edge_moments())
-      skew_.add(state_.turn(e), state_.turn(e),
-                half_skew(-rotate_spin(x.frames[e].conjugate(), m)));
-    for (const auto& [e, m] : loads.follower_moments())
-      skew_.add(state_.turn(e), state_.turn(e), half_skew(m));
+    for (const auto& [e, m] : at.loads.edge_moments())
+      skew_.add(at.state.turn(e), at.state.turn(e),
+                half_skew(-rotate_spin(at.x.frames[e].conjugate(), m)));
+    for (const auto& [e, m] : at.loads.follower_moments())
+      skew_.add(at.state.turn(e), at.state.turn(e), half_skew(m));
   }
 
-  /// Residual ← the state's held frames, places, section forces, loads of nodes.
+  /// Residual ← the state's held frames, places and loads at nodes.
   const ItemMap<Space>& of_state() const { return of_state_; }
+  /// Residual ← the state's section forces, at nodes.
+  const ItemMap<Space>& balance() const { return balance_; }
   /// Residual ← numbers, the state staying as it is.
   const ItemMap<Space>& of_numbers() const { return of_numbers_; }
   /// State ← numbers: what supports move by themselves.
@@ -96,101 +85,80 @@ class ResidualMaps {
   /// turns against the node, its components there change as well.
   void add_held(int held, int attachment, const Mat<spin>& H, const Spin<Space>& g) {
     of_state_.add(held, held, Mat<spin>(H + half_skew(g)));
-    of_numbers_.add(held, numbers_.relative(attachment), Mat<spin>(-spin_skew(g)));
+    of_numbers_.add(held, at_.numbers.relative(attachment), Mat<spin>(-spin_skew(g)));
   }
 
   void add_span(int p) {
-    const auto& span = layout_.spans()[p];
-    const int gap = span.block >= 0 ? state_.gap(p) : -1;
-    for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e) {
-      const EdgeMaps<Space> edge(x_.frames[e], sections_[e], columns_.compliance[e],
-                                 columns_.lengths[e][0]);
-      const int turn = state_.turn(e);
-      of_state_.add(turn, state_.force(e), edge.moment_of_force());
-      of_numbers_.add(turn, numbers_.compliance(e), edge.moment_of_compliance());
-      of_numbers_.add(turn, numbers_.length(e), edge.moment_of_length());
-      of_numbers_.add(turn, numbers_.moment(e), -spin_matrix<Space>(x_.frames[e].conjugate()));
-      of_numbers_.add(turn, numbers_.following(e), -Mat<spin>::Identity());
-      if (gap < 0) continue;
-      of_state_.add(gap, state_.force(e), -edge.reach_of_force());
-      of_numbers_.add(gap, numbers_.compliance(e), -edge.reach_of_compliance());
-      of_numbers_.add(gap, numbers_.length(e), -edge.reach_of_length());
-    }
-    of_state_.add(gap, state_.place(span.end), 1);
-    of_state_.add(gap, state_.place(span.start), -1);
-    for (const auto& [v, e, sign] : {std::tuple(span.end, layout_.last_edge(p), 1.),
-                                     std::tuple(span.start, layout_.first_edge(p), -1.)})
-      if (layout_.place_block(v) >= 0) of_state_.add(state_.place(v), state_.force(e), sign);
+    const auto& span = at_.layout.spans()[p];
+    const int gap = span.block >= 0 ? at_.state.gap(p) : -1;
+    of_state_.add(gap, at_.state.place(span.end), 1);
+    of_state_.add(gap, at_.state.place(span.start), -1);
+    for (const auto& [v, e, sign] : {std::tuple(span.end, at_.layout.last_edge(p), 1.),
+                                     std::tuple(span.start, at_.layout.first_edge(p), -1.)})
+      if (at_.layout.place_block(v) >= 0)
+        balance_.add(at_.state.place(v), at_.state.force(e), sign);
   }
 
   void add_place(int v) {
-    if (layout_.place_block(v) < 0) return;
-    const auto& node = net_.nodes[v];
-    const int place = state_.place(v);
-    of_state_.add(place, state_.load(v), -1);
+    if (at_.layout.place_block(v) < 0) return;
+    const auto& node = at_.net.nodes[v];
+    const int place = at_.state.place(v);
+    of_state_.add(place, at_.state.load(v), -1);
     if (node.spring == 0) return;
     of_state_.add(place, place, node.spring);
-    of_numbers_.add(place, numbers_.position(v), -node.spring);
-    of_numbers_.add(place, numbers_.spring(v), Point<Space>(x_.positions[v] - node.position));
+    of_numbers_.add(place, at_.numbers.position(v), -node.spring);
+    of_numbers_.add(place, at_.numbers.spring(v), Point<Space>(at_.x.positions[v] - node.position));
   }
 
   void add_turn(int v) {
-    if (layout_.turn_block(v) < 0) return;
-    const auto& node = net_.nodes[v];
-    const int turn = state_.node_turn(v);
-    const auto q = x_.node_frames[v].conjugate();
-    const Spin<Space> dead = rotate_spin(q, loads_.node_moments()[v]),
-                      follows = loads_.node_follower_moments()[v];
-    of_numbers_.add(turn, numbers_.node_moment(v), -spin_matrix<Space>(q));
-    of_numbers_.add(turn, numbers_.node_following(v), -Mat<spin>::Identity());
+    if (at_.layout.turn_block(v) < 0) return;
+    const auto& node = at_.net.nodes[v];
+    const int turn = at_.state.node_turn(v);
+    const auto q = at_.x.node_frames[v].conjugate();
+    const Spin<Space> dead = rotate_spin(q, at_.loads.node_moments()[v]),
+                      follows = at_.loads.node_follower_moments()[v];
+    of_numbers_.add(turn, at_.numbers.node_moment(v), -spin_matrix<Space>(q));
+    of_numbers_.add(turn, at_.numbers.node_following(v), -Mat<spin>::Identity());
     of_state_.add(turn, turn, Mat<spin>(-spin_skew(dead)));
     skew_.add(turn, turn, half_skew(follows - dead));
     if (node.torsion_spring > 0 && node.turns.cols() == spin) add_torsion(v);
   }
 
   void add_torsion(int v) {
-    const auto& node = net_.nodes[v];
-    const Spin<Space> u = log(principal(node.frame.conjugate() * x_.node_frames[v]));
+    const auto& node = at_.net.nodes[v];
+    const Spin<Space> u = log(principal(node.frame.conjugate() * at_.x.node_frames[v]));
     const Spin<Space> C = Spin<Space>::Constant(node.torsion_spring), none = Spin<Space>::Zero();
     const auto jet = bend_twist<Hessian::exact>(u, typename Space::Differential(u), C, none);
-    of_numbers_.add(state_.node_turn(v), numbers_.frame(v), jet.ab.transpose());
-    of_numbers_.add(state_.node_turn(v), numbers_.torsion(v),
+    of_numbers_.add(at_.state.node_turn(v), at_.numbers.frame(v), jet.ab.transpose());
+    of_numbers_.add(at_.state.node_turn(v), at_.numbers.torsion(v),
                     Spin<Space>(jet.b / node.torsion_spring));
   }
 
   /// A support takes its node along, but where that is free: there the spring is drawn.
   void move_node(int v) {
-    const auto& node = net_.nodes[v];
-    const double unit = layout_.unit_length(v);
+    const auto& node = at_.net.nodes[v];
+    const double unit = at_.layout.unit_length(v);
     const Mat<dim> F = padded(node.free) / unit;
     if (node.free.cols() < dim)
-      moves_.add(state_.place(v), numbers_.position(v),
+      moves_.add(at_.state.place(v), at_.numbers.position(v),
                  Mat<dim>(Mat<dim>::Identity() - F * F.transpose()));
     if (node.turns.cols() < spin)
-      moves_.add(state_.node_turn(v), numbers_.frame(v),
-                 spin_matrix<Space>(x_.node_frames[v].conjugate() * node.frame));
+      moves_.add(at_.state.node_turn(v), at_.numbers.frame(v),
+                 spin_matrix<Space>(at_.x.node_frames[v].conjugate() * node.frame));
   }
 
   void add_attachment(const Attachment<Space>& a, int number) {
     if (!a.rigid) return;
-    const Rotation back = held_frame(x_, a).conjugate() * x_.node_frames[a.node];
-    holds_.add(state_.held(number), state_.node_turn(a.node), spin_matrix<Space>(back));
+    const Rotation back = held_frame(at_.x, a).conjugate() * at_.x.node_frames[a.node];
+    holds_.add(at_.state.held(number), at_.state.node_turn(a.node), spin_matrix<Space>(back));
     if (a.hinge)
-      holds_.add(state_.held(number), state_.hinge(a.hinge_number),
+      holds_.add(at_.state.held(number), at_.state.hinge(a.hinge_number),
                  rotate_spin(a.relative.conjugate(), *a.hinge));
-    moves_.add(state_.held(number), numbers_.relative(number), 1);
+    moves_.add(at_.state.held(number), at_.numbers.relative(number), 1);
   }
 
-  const Layout<Space>& layout_;
-  const Network<Space>& net_;
-  const NetworkLoads<Space>& loads_;
-  const EdgeColumns<Space>& columns_;
-  const NetworkState<Space>& x_;
-  const std::vector<Point<Space>>& sections_;
-  StateItems<Space> state_;
-  NumberItems<Space> numbers_;
-  AttachmentNumbers<Space> attached_;
-  ItemMap<Space> of_state_, of_numbers_, moves_, holds_, skew_;
+  const AtState<Space>& at_;
+  ItemMap<Space> of_state_, balance_, of_numbers_, moves_, holds_, skew_;
 };
 
 }  // namespace pyrod

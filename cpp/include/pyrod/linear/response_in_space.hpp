@@ -7,6 +7,7 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/linear/linear_response.hpp>
 #include <pyrod/linear/numbers.hpp>
+#include <pyrod/linear/response_change.hpp>
 #include <pyrod/linear/rod_fields.hpp>
 #include <pyrod/linear/scene_change.hpp>
 #include <pyrod/linear/vertex_loads.hpp>
@@ -14,6 +15,7 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/scene_network.hpp>
 #include <pyrod/solve/newton.hpp>
+#include <pyrod/solve/singular_equilibrium.hpp>
 #include <pyrod/statics/equilibrium.hpp>
 #include <pyrod/statics/ready_scene.hpp>
 #include <pyrod/statics/solving/posed.hpp>
@@ -52,15 +54,11 @@ class ResponseInSpace {
   SceneChange push(const Vector& numbers) {
     numbers_ = Eigen::Map<const Items<Space>>(numbers.data(), item_width<Space>, numbers_.cols());
     linear_.push(numbers_, change_);
-    SceneChange out = empty();
-    for_each(out, change_, [this](Vec3& told, const auto& item, auto kind) {
-      told = this->to_space(item, kind);
-    });
-    out.energy = change_.told(0, linear_.told_items().energy());
-    return out;
+    return told(change_);
   }
 
-  Vector pull(const SceneChange& weights) {
+  /// `rounding`: how far rounding moves the gradient; if there is no such, it must not.
+  Vector pull(const SceneChange& weights, Vector* rounding) {
     auto given = weights;
     for (auto* items : {&change_.state, &change_.told}) items->setZero();
     change_.positions.setZero();
@@ -69,7 +67,31 @@ class ResponseInSpace {
     });
     change_.told(0, linear_.told_items().energy()) = weights.energy;
     linear_.pull(change_, numbers_);
-    return flat(numbers_);
+    const Vector out = flat(numbers_);
+    linear_.pull_rounding(numbers_);
+    const Vector moved = flat(numbers_);
+    if (rounding)
+      *rounding = moved;
+    else if (moved.norm() > 1e-6 * out.norm())
+      throw SingularEquilibrium(
+          "linear: a rod that cannot stretch is held so straight that rounding of its length moves "
+          "this gradient",
+          0);
+    return out;
+  }
+
+  std::vector<SceneChange> free() {
+    std::vector<SceneChange> out;
+    for (const auto& change : linear_.free()) out.push_back(told(change));
+    return out;
+  }
+  std::vector<Vector> pushes_freely() {
+    std::vector<Vector> out;
+    for (int k = 0; k < int(linear_.free().size()); ++k) {
+      linear_.pull_free(k, numbers_);
+      out.push_back(flat(numbers_));
+    }
+    return out;
   }
 
   /// Of forces on the vertices of all rods.
@@ -97,21 +119,23 @@ class ResponseInSpace {
   /// Columns: unit forces, then moments; NaN where these leave the plane.
   Mat<6> compliance(int rod, int vertex) {
     const VertexLoads<Space> loads(posed_->layout(), rod, vertex);
-    const auto position = change_.positions.col(linear_.positions().column(rod, vertex));
     const auto& told = linear_.told_items();
-    const auto rotation = change_.told.col(told.rotation(told.vertex(rod, vertex)));
-    Mat<6> out;
-    for (int k = 0; k < 6; ++k) {
-      const Vec3 unit = unrotate(turn(), Vec3(Vec3::Unit(k % 3)));
-      const Point<Space> F = restrict_point<Space>(unit);
-      const Spin<Space> M = restrict_spin<Space>(unit);
-      const Vec3 kept = k < 3 ? embed(F) : embed_spin(M);
+    const int place = linear_.positions().column(rod, vertex),
+              rotation = told.rotation(told.vertex(rod, vertex));
+    const auto unit_load = [&](int k) -> const Items<Space>& {
       numbers_.setZero();
-      k < 3 ? loads.add_force(F, numbers_) : loads.add_moment(M, numbers_);
-      linear_.push(numbers_, change_);
-      out.col(k) << to_space(position, Kind::point), to_space(rotation, Kind::moment);
+      k < 3 ? loads.add_force(restrict_point<Space>(axis_here(k)), numbers_)
+            : loads.add_moment(restrict_spin<Space>(axis_here(k)), numbers_);
+      return numbers_;
+    };
+    Mat<6> out;
+    linear_.push_all(6, unit_load, change_, [&](int k, const auto& change) {
+      out.col(k) << to_space(change.positions.col(place), Kind::point),
+          to_space(change.told.col(rotation), Kind::moment);
+      const Vec3 unit = axis_here(k), kept = k < 3 ? embed(restrict_point<Space>(unit))
+                                                   : embed_spin(restrict_spin<Space>(unit));
       if ((kept - unit).norm() > 1e-9) out.col(k).setConstant(std::nan(""));
-    }
+    });
     return out;
   }
 
@@ -131,6 +155,7 @@ class ResponseInSpace {
     for (const auto& rod : posed_->network().rods) out.rods.emplace_back(rod.edges());
     out.reaction_forces.assign(nodes_.size(), Vec3::Zero());
     out.reaction_moments = out.reaction_forces;
+    out.multipliers.assign(posed_->layout().spans().size(), Vec3::Zero());
     return out;
   }
 
@@ -138,6 +163,15 @@ class ResponseInSpace {
 
  private:
   enum class Kind { point, moment, material_point, material_turn };
+
+  SceneChange told(const ResponseChange<Space>& change) const {
+    SceneChange out = empty();
+    for_each(out, change, [this](Vec3& told, const auto& item, auto kind) {
+      told = this->to_space(item, kind);
+    });
+    out.energy = change.told(0, linear_.told_items().energy());
+    return out;
+  }
 
   NetworkState<Space> balanced(const ReadyScene& ready, const Equilibrium& near) const {
     const StateNear<Space> starts(posed_->layout(), posed_->here(), posed_->network().nodes.size());
@@ -168,6 +202,8 @@ class ResponseInSpace {
         return embed_spin(s);
     }
   }
+  /// An axis of space in the components of the computation.
+  Vec3 axis_here(int k) const { return unrotate(turn(), Vec3(Vec3::Unit(k % 3))); }
   Vec3 rotate_back(const Vec3& v) const { return Space::dim == 3 ? v : Vec3(rotate(turn(), v)); }
 
   /// The transpose.
@@ -190,7 +226,7 @@ class ResponseInSpace {
 
   /// Calls visit(vector in space, item, kind) for all that is told but the energy.
   template <class Visit>
-  void for_each(SceneChange& s, typename LinearResponse<Space>::Change& c, Visit&& visit) const {
+  void for_each(SceneChange& s, auto& c, Visit&& visit) const {
     const auto& layout = posed_->layout();
     const auto& told = linear_.told_items();
     const auto& state = linear_.state_items();
@@ -211,6 +247,8 @@ class ResponseInSpace {
         visit(r.Γ[j], c.told.col(told.strain(e)), Kind::material_point);
       }
     }
+    for (int p = 0; p < int(s.multipliers.size()); ++p)
+      visit(s.multipliers[p], c.state.col(state.force(layout.first_edge(p))), Kind::point);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       visit(s.reaction_forces[i], c.told.col(told.reaction_force(nodes_[i])), Kind::point);
       visit(s.reaction_moments[i], c.told.col(told.reaction_moment(nodes_[i])), Kind::moment);
@@ -221,7 +259,7 @@ class ResponseInSpace {
   std::shared_ptr<const Posed<Space>> posed_;
   NetworkState<Space> x_;
   LinearResponse<Space> linear_;
-  typename LinearResponse<Space>::Change change_;
+  ResponseChange<Space> change_;
   Items<Space> numbers_;
 };
 

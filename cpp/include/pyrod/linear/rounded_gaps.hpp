@@ -43,10 +43,16 @@ class RoundedGaps {
   template <class Solve>
   double moved(const Vector& y, double noise, const Solve& solve) {
     if (energy(y) <= noise) return 0;
+    return find(y, step_, solve) ? std::sqrt(energy(step_) / energy(y)) : 1;
+  }
+
+  /// By how much the solution y moves; returns whether that is known.
+  template <class Solve>
+  bool find(const Vector& y, Vector& change, const Solve& solve) {
     tangent_.factor().matrix().multiply(y, here_);
     rounded_.factor().matrix().multiply(y, beside_);
     beside_ -= here_;
-    return solve(beside_, step_) ? std::sqrt(energy(step_) / energy(y)) : 1;
+    return solve(beside_, change);
   }
 
  private:

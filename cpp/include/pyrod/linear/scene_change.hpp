@@ -32,6 +32,9 @@ struct RodChange {
 struct SceneChange {
   std::vector<RodChange> rods;
   std::vector<Vec3> reaction_forces, reaction_moments;
+  /// Section forces with which spans begin, rod by rod: what is unknown of them are the
+  /// multipliers.
+  std::vector<Vec3> multipliers;
   double energy = 0;
 };
 

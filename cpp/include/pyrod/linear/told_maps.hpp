@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file How what is told of an equilibrium changes with its state and its numbers.
+/// \file How what is told of an equilibrium changes with its state and its numbers, at nodes and
+/// ends of rods. Edges and what is between them: see `Chains`.
 #pragma once
 
 #include <pyrod/core/types.hpp>
+#include <pyrod/linear/at_state.hpp>
 #include <pyrod/linear/cells.hpp>
-#include <pyrod/linear/edge_maps.hpp>
 #include <pyrod/linear/free_ends.hpp>
 #include <pyrod/linear/items.hpp>
 #include <pyrod/linear/residual_maps.hpp>
 #include <pyrod/linear/told_items.hpp>
 #include <pyrod/rotation/space.hpp>
-#include <pyrod/statics/equations/edge_columns.hpp>
-#include <pyrod/statics/equations/network_loads.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
@@ -26,30 +25,17 @@ class ToldMaps {
   using Rotation = typename Space::Rotation;
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  ToldMaps(const Layout<Space>& layout, const NetworkLoads<Space>& loads,
-           const EdgeColumns<Space>& columns, const NetworkState<Space>& x,
-           const std::vector<Point<Space>>& sections)
-      : layout_(layout),
-        net_(layout.network()),
-        loads_(loads),
-        columns_(columns),
-        x_(x),
-        sections_(sections),
-        state_(layout),
-        numbers_(layout),
-        told_(layout),
-        attached_(layout),
-        unknown_(told_.count(), false) {
-    Cells<Space>(layout, x).for_each([&](const auto& cell) { tell(cell); });
-    for (int e = 0; e < layout.edges(); ++e) tell_edge(e);
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod) tell_rod(rod);
-    for (int v = 0; v < int(net_.nodes.size()); ++v) tell_node(v);
+  /// `at` must stay where it is.
+  explicit ToldMaps(const AtState<Space>& at) : at_(at) {
+    Cells<Space>(at.layout, at.x).for_each_half([&](const auto& cell) { tell(cell); });
+    for (int rod = 0; rod < int(at.net.rods.size()); ++rod) tell_rod(rod);
+    for (int v = 0; v < int(at.net.nodes.size()); ++v) tell_node(v);
   }
 
   const ItemMap<Space>& of_state() const { return of_state_; }
   const ItemMap<Space>& of_numbers() const { return of_numbers_; }
   /// Items whose derivative is not known here.
-  const std::vector<char>& unknown() const { return unknown_; }
+  const std::vector<int>& unknown() const { return unknown_; }
 
  private:
   using Block = Mat<spin>;
@@ -74,30 +60,26 @@ class ToldMaps {
 
   void tell(const CellOfNetwork<Space>& c) {
     const auto jet = c.jet();
-    of_state_.add(told_.energy(), c.a, Row(jet.a.transpose()));
-    of_state_.add(told_.energy(), c.b, Row(jet.b.transpose()));
-    of_numbers_.add(told_.energy(), c.stiffness, Row(c.strain().cwiseAbs2().transpose() / 2));
-    of_numbers_.add(told_.energy(), c.rest, Row(-c.m().transpose()));
-    const auto& rod = net_.rods[c.rod];
+    of_state_.add(at_.told.energy(), c.a, Row(jet.a.transpose()));
+    of_state_.add(at_.told.energy(), c.b, Row(jet.b.transpose()));
+    of_numbers_.add(at_.told.energy(), c.stiffness, Row(c.strain().cwiseAbs2().transpose() / 2));
+    of_numbers_.add(at_.told.energy(), c.rest, Row(-c.m().transpose()));
+    const auto& rod = at_.net.rods[c.rod];
     const bool at_end = !rod.grid.closed() && c.vertex == rod.edges();
-    const int vertex = told_.vertex(c.rod, c.vertex);
+    const int vertex = at_.told.vertex(c.rod, c.vertex);
     if (c.kind != CellKind::before || at_end) {
-      tell_spatial(c, jet, told_.moment(vertex), 1);
-      tell_curvature(c, jet, told_.curvature(vertex));
+      tell_spatial(c, jet, at_.told.moment(vertex), 1);
+      tell_curvature(c, jet, at_.told.curvature(vertex));
     }
-    if (c.kind == CellKind::whole) {
-      tell_rotation(c, told_.rotation(vertex));
-      return tell_frame_between(c, told_.vertex_turn(vertex));
-    }
-    const auto& on = layout_.attached(c.rod);
+    const auto& on = at_.layout.attached(c.rod);
     const auto a = std::ranges::find(on, c.vertex, &Attachment<Space>::vertex);
-    tell_spatial(c, jet, told_.reaction_moment(a->node), c.kind == CellKind::before ? 1 : -1);
+    tell_spatial(c, jet, at_.told.reaction_moment(a->node), c.kind == CellKind::before ? 1 : -1);
   }
 
   /// The mean of a cell. Of one that a held frame cuts, what the moment there makes of the half
   /// behind, theory (21).
   void tell_curvature(const CellOfNetwork<Space>& c, const TurnJet<Space>& jet, int to) {
-    const auto& grid = net_.rods[c.rod].grid;
+    const auto& grid = at_.net.rods[c.rod].grid;
     const bool inside = c.vertex > 0 && c.vertex < grid.edges();
     Spin<Space> K = c.u / c.length;
     if (c.kind == CellKind::behind && (inside || grid.closed())) {
@@ -112,111 +94,68 @@ class ToldMaps {
       of_state_.add(to, c.b, Block(c.T() / c.length));
     }
     for (const int e : {c.edge_a, c.edge_b})
-      if (e >= 0) of_numbers_.add(to, numbers_.length(e), Spin<Space>(-K / (2 * c.length)));
-  }
-
-  /// Of the edges beside, which share a moment as by a lever.
-  void tell_rotation(const CellOfNetwork<Space>& c, int to) {
-    const auto& grid = net_.rods[c.rod].grid;
-    const double part = grid.h(c.vertex == 0 ? grid.edges() - 1 : c.vertex - 1) / (2 * c.length);
-    of_state_.add(to, c.a, Block((1 - part) * spin_matrix<Space>(x_.frames[c.edge_a])));
-    of_state_.add(to, c.b, Block(part * spin_matrix<Space>(x_.frames[c.edge_b])));
-  }
-
-  /// Between two edges, as far as their lengths say.
-  void tell_frame_between(const CellOfNetwork<Space>& c, int to) {
-    const auto& grid = net_.rods[c.rod].grid;
-    const double h = grid.h(c.vertex == 0 ? grid.edges() - 1 : c.vertex - 1),
-                 part = h / (2 * c.length);
-    const Spin<Space> u = part * c.u;
-    const Block D = turn_differential(u);
-    of_state_.add(to, c.a,
-                  Block(spin_matrix<Space>(exp(Spin<Space>(-u))) - part * D * c.T().transpose()));
-    of_state_.add(to, c.b, Block(part * D * c.T()));
-    const double l = 2 * c.length;
-    of_numbers_.add(to, numbers_.length(c.edge_a), Spin<Space>(D * c.u * (l - h) / (l * l)));
-    of_numbers_.add(to, numbers_.length(c.edge_b), Spin<Space>(-D * c.u * h / (l * l)));
-  }
-
-  void tell_edge(int e) {
-    const EdgeMaps<Space> edge(x_.frames[e], sections_[e], columns_.compliance[e],
-                               columns_.lengths[e][0]);
-    const int turn = state_.turn(e), force = state_.force(e), S = numbers_.compliance(e);
-    of_state_.add(told_.reach(e), turn, edge.reach_of_turn());
-    of_state_.add(told_.reach(e), force, edge.reach_of_force());
-    of_numbers_.add(told_.reach(e), S, edge.reach_of_compliance());
-    of_numbers_.add(told_.reach(e), numbers_.length(e), edge.reach_of_length());
-    const Mat<dim, spin> strain = edge.S.asDiagonal() * edge.force_of_turn();
-    const Mat<dim> by_force = edge.S.asDiagonal() * edge.R.transpose();
-    of_state_.add(told_.strain(e), turn, strain);
-    of_state_.add(told_.strain(e), force, by_force);
-    of_numbers_.add(told_.strain(e), S, Mat<dim>(edge.b.asDiagonal()));
-    const int energy = told_.energy();
-    of_state_.add(energy, turn, Row(edge.h * edge.b.transpose() * strain));
-    of_state_.add(energy, force,
-                  Eigen::Matrix<double, 1, dim>(edge.h * edge.b.transpose() * by_force));
-    of_numbers_.add(energy, S,
-                    Eigen::Matrix<double, 1, dim>(edge.h / 2 * edge.b.cwiseAbs2().transpose()));
-    of_numbers_.add(energy, numbers_.length(e),
-                    Mat<1>(edge.b.dot(edge.S.cwiseProduct(edge.b)) / 2));
+      if (e >= 0) of_numbers_.add(to, at_.numbers.length(e), Spin<Space>(-K / (2 * c.length)));
   }
 
   void tell_rod(int rod) {
-    const auto& r = net_.rods[rod];
-    const auto& on = layout_.attached(rod);
+    const auto& r = at_.net.rods[rod];
+    const auto& on = at_.layout.attached(rod);
     for (int i = 0; i < int(on.size()); ++i) {
       if (!on[i].rigid) continue;
-      const int vertex = told_.vertex(rod, on[i].vertex), held = state_.held(attached_.of(rod, i));
-      of_state_.add(told_.vertex_turn(vertex), held, 1);
-      of_state_.add(told_.rotation(vertex), held, spin_matrix<Space>(held_frame(x_, on[i])));
+      const int vertex = at_.told.vertex(rod, on[i].vertex),
+                held = at_.state.held(at_.attached.of(rod, i));
+      of_state_.add(at_.told.vertex_turn(vertex), held, 1);
+      of_state_.add(at_.told.rotation(vertex), held, spin_matrix<Space>(held_frame(at_.x, on[i])));
     }
     const auto ends_in = [&](const auto& a) { return a.rigid; };
     if (!r.grid.closed() && !ends_in(on.front())) tell_end(rod, true);
     if (!r.grid.closed() && !ends_in(on.back())) tell_end(rod, false);
     for (const auto& jump : r.jumps)
-      forget(rod, jump.vertex, told_.vertex_turn(0), told_.curvature(0));
-    for (const auto& c : net_.loads[rod].vertex_moments) {
+      forget(rod, jump.vertex, at_.told.vertex_turn(0), at_.told.curvature(0));
+    for (const auto& c : at_.net.loads[rod].vertex_moments) {
       if (c.on_node) continue;
-      forget(rod, c.vertex, told_.vertex_turn(0), told_.curvature(0));
-      unknown_[told_.moment(told_.vertex(rod, c.vertex))] = unknown_[told_.energy()] = true;
+      forget(rod, c.vertex, at_.told.vertex_turn(0), at_.told.curvature(0));
+      unknown_.push_back(at_.told.moment(at_.told.vertex(rod, c.vertex)));
+      unknown_.push_back(at_.told.energy());
     }
   }
 
   void forget(int rod, int vertex, int turns, int curvatures) {
-    const int number = told_.vertex(rod, vertex);
-    unknown_[turns + number] = unknown_[curvatures + number] = true;
+    const int number = at_.told.vertex(rod, vertex);
+    unknown_.push_back(turns + number), unknown_.push_back(curvatures + number);
   }
 
   void tell_end(int rod, bool start) {
-    const auto& r = net_.rods[rod];
-    const int n = r.edges(), e = layout_.edge(rod, start ? 0 : n - 1);
-    const auto& q = x_.frames[e];
-    const FreeEnd<Space> end(r, net_.loads[rod], start, q);
+    const auto& r = at_.net.rods[rod];
+    const int n = r.edges(), e = at_.layout.edge(rod, start ? 0 : n - 1);
+    const auto& q = at_.x.frames[e];
+    const FreeEnd<Space> end(r, at_.net.loads[rod], start, q);
     const Side side = start ? Side::before : Side::behind;
-    const int vertex = told_.vertex(rod, start ? 0 : n), turn = told_.vertex_turn(vertex),
-              K = told_.curvature(vertex);
+    const int vertex = at_.told.vertex(rod, start ? 0 : n), turn = at_.told.vertex_turn(vertex),
+              K = at_.told.curvature(vertex);
     const double sign = start ? -1 : 1;
-    of_state_.add(turn, state_.turn(e), end.of_edge);
+    of_state_.add(turn, at_.state.turn(e), end.of_edge);
     tell_end_turn(rod, side, end, e, turn, end.of_turn);
     const Block R = spin_matrix<Space>(q * exp(end.w));
-    of_state_.add(told_.rotation(vertex), state_.turn(e), Block(R * end.of_edge));
-    tell_end_turn(rod, side, end, e, told_.rotation(vertex), Block(R * end.of_turn));
+    of_state_.add(at_.told.rotation(vertex), at_.state.turn(e), Block(R * end.of_edge));
+    tell_end_turn(rod, side, end, e, at_.told.rotation(vertex), Block(R * end.of_turn));
     tell_end_turn(rod, side, end, e, K, Block(sign / end.length * Block::Identity()));
-    of_numbers_.add(K, numbers_.length(e),
+    of_numbers_.add(K, at_.numbers.length(e),
                     Spin<Space>(-sign * end.w / (end.length * end.length) / 2));
-    tell_end_turn(rod, side, end, e, told_.energy(), Row(end.m.transpose()));
+    tell_end_turn(rod, side, end, e, at_.told.energy(), Row(end.m.transpose()));
     const Spin<Space> strain = end.w - end.rest;
-    of_numbers_.add(told_.energy(), numbers_.end_stiffness(rod, side),
+    of_numbers_.add(at_.told.energy(), at_.numbers.end_stiffness(rod, side),
                     Row(strain.cwiseAbs2().transpose() / 2));
-    of_numbers_.add(told_.energy(), numbers_.end_rest(rod, side), Row(-sign * end.m.transpose()));
-    const int moment = told_.moment(vertex);
+    of_numbers_.add(at_.told.energy(), at_.numbers.end_rest(rod, side),
+                    Row(-sign * end.m.transpose()));
+    const int moment = at_.told.moment(vertex);
     if (!end.follows) {
-      of_numbers_.add(moment, numbers_.end_moment(rod, side), sign);
+      of_numbers_.add(moment, at_.numbers.end_moment(rod, side), sign);
       return;
     }
     const Block by_turn = -R * spin_skew(end.M);
-    of_numbers_.add(moment, numbers_.end_following(rod), R);
-    of_state_.add(moment, state_.turn(e), Block(by_turn * end.of_edge));
+    of_numbers_.add(moment, at_.numbers.end_following(rod), R);
+    of_state_.add(moment, at_.state.turn(e), Block(by_turn * end.of_edge));
     tell_end_turn(rod, side, end, e, moment, Block(by_turn * end.of_turn));
   }
 
@@ -225,42 +164,34 @@ class ToldMaps {
   void tell_end_turn(int rod, Side side, const FreeEnd<Space>& end, int e, int to, const A& of) {
     using Out = Eigen::Matrix<double, A::RowsAtCompileTime, spin>;
     const double sign = end.start ? -1 : 1;
-    of_numbers_.add(to, numbers_.end_stiffness(rod, side), Out(of * end.by_k));
-    of_numbers_.add(to, numbers_.end_rest(rod, side), Out(sign * of * end.by_rest));
+    of_numbers_.add(to, at_.numbers.end_stiffness(rod, side), Out(of * end.by_k));
+    of_numbers_.add(to, at_.numbers.end_rest(rod, side), Out(sign * of * end.by_rest));
     if (end.follows) {
-      of_numbers_.add(to, numbers_.end_following(rod), Out(of * end.by_moment));
+      of_numbers_.add(to, at_.numbers.end_following(rod), Out(of * end.by_moment));
       return;
     }
-    const Block back = spin_matrix<Space>(x_.frames[e].conjugate());
-    of_numbers_.add(to, numbers_.end_moment(rod, side), Out(of * end.by_moment * back));
-    of_state_.add(to, state_.turn(e), Out(of * end.by_moment * spin_skew(end.M)));
+    const Block back = spin_matrix<Space>(at_.x.frames[e].conjugate());
+    of_numbers_.add(to, at_.numbers.end_moment(rod, side), Out(of * end.by_moment * back));
+    of_state_.add(to, at_.state.turn(e), Out(of * end.by_moment * spin_skew(end.M)));
   }
 
   /// What is missing to the balance there.
   void tell_node(int v) {
-    const int force = told_.reaction_force(v), moment = told_.reaction_moment(v);
-    of_state_.add(force, state_.load(v), -1);
-    for (const auto& [p, end] : layout_.spans_at(v))
-      of_state_.add(force, state_.force(end ? layout_.last_edge(p) : layout_.first_edge(p)),
+    const int force = at_.told.reaction_force(v), moment = at_.told.reaction_moment(v);
+    of_state_.add(force, at_.state.load(v), -1);
+    for (const auto& [p, end] : at_.layout.spans_at(v))
+      of_state_.add(force,
+                    at_.state.force(end ? at_.layout.last_edge(p) : at_.layout.first_edge(p)),
                     end ? 1 : -1);
-    const Block R = spin_matrix<Space>(x_.node_frames[v]);
-    const Spin<Space>& follows = loads_.node_follower_moments()[v];
-    of_numbers_.add(moment, numbers_.node_moment(v), -1);
-    of_numbers_.add(moment, numbers_.node_following(v), Block(-R));
-    of_state_.add(moment, state_.node_turn(v), Block(R * spin_skew(follows)));
+    const Block R = spin_matrix<Space>(at_.x.node_frames[v]);
+    const Spin<Space>& follows = at_.loads.node_follower_moments()[v];
+    of_numbers_.add(moment, at_.numbers.node_moment(v), -1);
+    of_numbers_.add(moment, at_.numbers.node_following(v), Block(-R));
+    of_state_.add(moment, at_.state.node_turn(v), Block(R * spin_skew(follows)));
   }
 
-  const Layout<Space>& layout_;
-  const Network<Space>& net_;
-  const NetworkLoads<Space>& loads_;
-  const EdgeColumns<Space>& columns_;
-  const NetworkState<Space>& x_;
-  const std::vector<Point<Space>>& sections_;
-  StateItems<Space> state_;
-  NumberItems<Space> numbers_;
-  ToldItems<Space> told_;
-  AttachmentNumbers<Space> attached_;
-  std::vector<char> unknown_;
+  const AtState<Space>& at_;
+  std::vector<int> unknown_;
   ItemMap<Space> of_state_, of_numbers_;
 };
 

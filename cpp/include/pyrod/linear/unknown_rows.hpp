@@ -7,6 +7,8 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 
+#include <vector>
+
 namespace pyrod {
 
 template <class Space>
@@ -14,13 +16,15 @@ class UnknownRows {
  public:
   static constexpr int dim = Space::dim, spin = Space::spin;
 
-  explicit UnknownRows(const Layout<Space>& layout) : layout_(layout), state_(layout) {}
+  explicit UnknownRows(const Layout<Space>& layout) : layout_(layout), state_(layout) {
+    for (int e = 0; e < layout.edges(); ++e) frames_.push_back(layout.frame_row(e));
+  }
 
   /// To the unknowns' rows: the transpose of `spread`.
   void gather(const Items<Space>& from, Vector& rows) const {
-    rows.setZero(layout_.unknowns());
+    rows.resize(layout_.unknowns());  // each is set
     for (int e = 0; e < layout_.edges(); ++e)
-      rows.segment<spin>(layout_.frame_row(e)) = from.col(state_.turn(e)).template head<spin>();
+      rows.segment<spin>(frames_[e]) = from.col(state_.turn(e)).template head<spin>();
     for (int i = 0; i < layout_.hinges(); ++i)
       rows[layout_.row(layout_.hinge_block(i))] = from(0, state_.hinge(i));
     for (int p = 0; p < int(layout_.spans().size()); ++p)
@@ -38,10 +42,10 @@ class UnknownRows {
     }
   }
 
-  /// Adds the unknowns' part to the state: multipliers stay in the items of gaps.
+  /// To the state: sets the turns of edges, adds all others. Multipliers stay in the items of gaps.
   void spread(const Vector& rows, Items<Space>& state) const {
     for (int e = 0; e < layout_.edges(); ++e)
-      state.col(state_.turn(e)).template head<spin>() += rows.segment<spin>(layout_.frame_row(e));
+      state.col(state_.turn(e)).template head<spin>() = rows.segment<spin>(frames_[e]);
     for (int i = 0; i < layout_.hinges(); ++i)
       state(0, state_.hinge(i)) += rows[layout_.row(layout_.hinge_block(i))];
     for (int p = 0; p < int(layout_.spans().size()); ++p)
@@ -62,6 +66,7 @@ class UnknownRows {
  private:
   const Layout<Space>& layout_;
   StateItems<Space> state_;
+  std::vector<int> frames_;
 };
 
 }  // namespace pyrod

@@ -83,6 +83,8 @@ class ShiftedFactor {
   bool broken() const { return inertia_.broken > 0; }
 
   void solve(const Vector& b, Vector& x) { factor_.solve(b, x); }
+  /// Overwrites columns, all at once.
+  void solve(Eigen::MatrixXd& columns) { factor_.solve(columns); }
 
   /// What D leaves of a multiplier's row k of K x = b.
   double left(const Vector& x, int k) const { return soft_[k] * x[k]; }

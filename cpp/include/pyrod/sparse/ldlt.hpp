@@ -78,12 +78,11 @@ class Ldlt {
   /// Solves with the last factor; `b` and the result have A's size. `x` may be `b`.
   void solve(const Vector& b, Vector& x) {
     x.resize(b.size());
-    keep_workspace();
-    cholmod_dense right = dense_view(b), left = dense_view(x), *out = &left;  // large enough: kept
-    const int done = cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &out, nullptr, &work_y_,
-                                    &work_e_, &common_);
-    if (!done) throw std::bad_alloc();
+    solve(dense_view(b), dense_view(x));
   }
+
+  /// Overwrites columns by solutions. CHOLMOD takes four at a time.
+  void solve(Eigen::MatrixXd& columns) { solve(dense_view(columns), dense_view(columns)); }
 
   /// CHOLMOD's cheap estimate of the reciprocal condition number: smallest over largest pivot.
   double reciprocal_condition() { return cholmod_rcond(factor_, &common_); }
@@ -115,6 +114,14 @@ class Ldlt {
     return view;
   }
 
+  void solve(cholmod_dense right, cholmod_dense left) {
+    keep_workspace();
+    auto* out = &left;  // large enough: kept
+    const int done = cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &out, nullptr, &work_y_,
+                                    &work_e_, &common_);
+    if (!done) throw std::bad_alloc();
+  }
+
   /// CHOLMOD keeps a workspace only if it has the shape that is asked for; it is left with that of
   /// its last use, one row of the four that were allocated.
   void keep_workspace() {
@@ -122,11 +129,16 @@ class Ldlt {
     work_y_->nrow = work_y_->d = work_y_->nzmax / work_y_->ncol;
   }
 
-  static cholmod_dense dense_view(const Vector& v) {
+  static cholmod_dense dense_view(const Eigen::MatrixXd& columns) {
+    return dense_view(columns.data(), columns.rows(), columns.cols());
+  }
+  static cholmod_dense dense_view(const Vector& v) { return dense_view(v.data(), v.size(), 1); }
+  static cholmod_dense dense_view(const double* from, Eigen::Index rows, Eigen::Index cols) {
     cholmod_dense view{};
-    view.nrow = view.d = view.nzmax = std::size_t(v.size());
-    view.ncol = 1;
-    view.x = const_cast<double*>(v.data());
+    view.nrow = view.d = std::size_t(rows);
+    view.ncol = std::size_t(cols);
+    view.nzmax = view.nrow * view.ncol;
+    view.x = const_cast<double*>(from);
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
     return view;
