@@ -60,6 +60,7 @@ struct Shape {
   std::vector<Reaction> reactions = {};  ///< of the supports, in their order
   std::vector<Vec3> held = {};           ///< the points that they hold
   std::vector<Rod<Spatial>> made = {};   ///< the rods as they were solved
+  std::vector<TendonSolution<Spatial>> tendons = {};  ///< in the order of the scene's actuators
 };
 
 /// Everything there is to know; values like any other. The shape is worked out when it is first
@@ -95,6 +96,7 @@ class Equilibrium {
   const Vec3& tip(int i = 0) const { return rod(i).curve.positions.back(); }
   const Quaternion& tip_frame(int i = 0) const { return rod(i).vertex_frames.back(); }
   const std::vector<Reaction>& reactions() const { return shape().reactions; }
+  const std::vector<TendonSolution<Spatial>>& tendons() const { return shape().tendons; }
 
   /// Elastic energy [J].
   double energy() const {
