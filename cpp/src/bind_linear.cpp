@@ -31,6 +31,8 @@ py::dict told(const SceneChange& change) {
     out[py::str(text("reactions.", i, ".force"))] = array<3>(change.reaction_forces[i]);
     out[py::str(text("reactions.", i, ".moment"))] = array<3>(change.reaction_moments[i]);
   }
+  for (std::size_t i = 0; i < change.tendon_lengths.size(); ++i)
+    out[py::str(text("tendons.", i, ".length"))] = change.tendon_lengths[i];
   out["energy"] = change.energy;
   return out;
 }
@@ -51,6 +53,9 @@ SceneChange weights(const py::dict& given, SceneChange out) {
     take_one(text("reactions.", i, ".force"), out.reaction_forces[i]);
     take_one(text("reactions.", i, ".moment"), out.reaction_moments[i]);
   }
+  for (std::size_t i = 0; i < out.tendon_lengths.size(); ++i)
+    if (const auto name = text("tendons.", i, ".length"); given.contains(name.c_str()))
+      out.tendon_lengths[i] = given[name.c_str()].cast<double>();
   if (given.contains("energy")) out.energy = given["energy"].cast<double>();
   return out;
 }

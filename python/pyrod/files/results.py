@@ -12,13 +12,13 @@ from pyrod.document import read, write
 from pyrod.result.accuracy import Accuracy
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import KINDS
-from pyrod.result.rods import Reaction, RodEquilibrium
+from pyrod.result.rods import Reaction, RodEquilibrium, TendonEquilibrium
 from pyrod.scene.scene import Scene
 
 FORMAT = "pyrod result 1"
 """Told in every file; the number grows when older readers cannot read newer files."""
 
-_ARRAYS = {"record", "mode", "rods", "reactions"}
+_ARRAYS = {"record", "mode", "rods", "reactions", "tendons"}
 _PARTS = {"scene", "accuracy"} | _ARRAYS
 _PLAIN = tuple(f.name for f in fields(Equilibrium) if f.name not in _PARTS)
 _ROD = tuple(f.name for f in fields(RodEquilibrium) if f.name != "rod")
@@ -47,6 +47,10 @@ def taken_apart(result: Equilibrium) -> Parts:
         arrays |= {f"rods/{number}/{name}": getattr(rod, name) for name in _ROD_ARRAYS}
     for number, reaction in enumerate(result.reactions):
         arrays |= {f"reactions/{number}/{k}": v for k, v in reaction._asdict().items()}
+    for number, tendon in enumerate(result.tendons):
+        arrays[f"tendons/{number}"] = np.array(
+            [tendon.tension, tendon.length, *tendon.force_on_base]
+        )
     if result.mode is not None:
         arrays["mode"] = result.mode
     return Parts(head, arrays)
@@ -70,6 +74,7 @@ def put_together(parts: Parts) -> Equilibrium:
     state["scene"] = scene
     state["rods"] = _rods(scene, head, arrays)
     state["reactions"] = tuple(_reaction(i, arrays) for i in range(len(scene.supports)))
+    state["tendons"] = tuple(_tendon(i, arrays) for i in range(len(scene.actuators)))
     state["record"] = {
         name.removeprefix("record/"): values
         for name, values in arrays.items()
@@ -106,6 +111,11 @@ def _shape(name: str, edges: int) -> tuple[int, ...]:
 def _reaction(number: int, arrays: dict[str, np.ndarray]) -> Reaction:
     names = Reaction._fields
     return Reaction(*(_of_shape(arrays, f"reactions/{number}/{name}", (3,)) for name in names))
+
+
+def _tendon(number: int, arrays: dict[str, np.ndarray]) -> TendonEquilibrium:
+    tension, length, *force = _of_shape(arrays, f"tendons/{number}", (5,))
+    return TendonEquilibrium(float(tension), float(length), np.array(force))
 
 
 def _of_shape(arrays: dict[str, np.ndarray], name: str, shape: tuple[int, ...]) -> np.ndarray:

@@ -183,4 +183,5 @@ def all_paths(scene: Scene) -> list[str]:
         out.append(f"supports.{i}.position")
         if support.holds_frame:
             out.append(f"supports.{i}.frame")
+    out += [f"actuators.{i}.tension" for i in range(len(scene.actuators))]
     return out

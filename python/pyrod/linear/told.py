@@ -57,6 +57,8 @@ def resolved(scene: Scene, name: str) -> tuple[str, int | None]:
                 return whole, None
         if kind == "reactions" and int(number) < len(scene.supports) and what in _REACTION:
             return whole, None
+        if kind == "tendons" and int(number) < len(scene.actuators) and what == "length":
+            return whole, None
     known = [*OF_RODS, *ENDS, "energy", "reactions.0.force", "reactions.0.moment"]
     raise ValueError(f"output: there is no {shortly(name)}; there are {listed(known)}")
 
@@ -69,7 +71,7 @@ def weights_of(scene: Scene, given: Mapping[str, Any], shapes: Mapping[str, Any]
     out: dict[str, Any] = {}
     for name, value in given.items():
         path, row = resolved(scene, name)
-        if path == "energy":
+        if path == "energy" or path.startswith("tendons."):
             out[path] = out.get(path, 0.0) + float(finite(value, name))
             continue
         array = out.setdefault(path, np.zeros(np.shape(shapes[path])))
@@ -84,7 +86,7 @@ def weights_of(scene: Scene, given: Mapping[str, Any], shapes: Mapping[str, Any]
 def one_weight(scene: Scene, name: str, shapes: Mapping[str, Any], entry: int) -> dict[str, Any]:
     """Of one number of an output, which is 1."""
     path, row = resolved(scene, name)
-    if path == "energy":
+    if path == "energy" or path.startswith("tendons."):
         return {path: 1.0}
     array: Array = np.zeros(np.shape(shapes[path]))
     place = array if row is None else array[row]

@@ -6,16 +6,17 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/linear/items.hpp>
 #include <pyrod/rod/bend_twist.hpp>
+#include <pyrod/rod/cell_kind.hpp>
+#include <pyrod/rod/turn_potential.hpp>
 #include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/statics/equations/cell_terms.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <type_traits>
 
 namespace pyrod {
-
-enum class CellKind { whole, before, behind };  ///< the vertex; or that half of its cell
 
 /// A cell between the frames `a` and `b`.
 template <class Space>
@@ -28,13 +29,24 @@ struct CellOfNetwork {
   int stiffness, rest;  ///< items of its numbers
   double length;        ///< at rest
   typename Space::Rotation frame_a;
-  Spin<Space> u, k, u0;  ///< turn, stiffness, turn at rest
+  Spin<Space> u, k, u0;         ///< turn, stiffness, turn at rest
+  TurnPotential<Space> others;  ///< what acts in it besides, if it is
+  bool driven = false;
 
   Spin<Space> strain() const { return u - u0; }
   Spin<Space> m() const { return k.cwiseProduct(u - u0); }
   Mat<Space::spin> T() const { return typename Space::Differential(u).T(); }
   TurnJet<Space> jet() const {
     return bend_twist<Hessian::exact>(u, typename Space::Differential(u), k, u0);
+  }
+  /// With all that acts in it.
+  TurnJet<Space> whole() const {
+    auto out = jet();
+    if (!driven) return out;
+    const auto more = turn_potential<Hessian::exact>(u, others);
+    out.a += more.a, out.b += more.b;
+    out.aa += more.aa, out.ab += more.ab, out.bb += more.bb;
+    return out;
   }
 };
 
@@ -62,10 +74,20 @@ class Cells {
         x_(x),
         state_(layout),
         numbers_(layout),
-        attached_(layout) {}
+        attached_(layout),
+        terms_(net_) {}
+
+  const CellTerms<Space>& terms() const { return terms_; }
 
   template <class Visit>
-  void for_each(Visit&& visit) const {
+  void for_each(Visit&& look) const {
+    const auto visit = [&](Cell c) {
+      if (!terms_.none(c.rod, c.vertex, c.kind)) {
+        c.others = terms_.at(c.rod, c.vertex, c.kind, c.u);
+        c.driven = true;
+      }
+      look(c);
+    };
     for (const auto& span : layout_.spans()) {
       if (layout_.clamp_of(span)) visit(clamped(span));
       for (int j = span.first + 1; j < span.last; ++j) visit(inner(span.rod, j));
@@ -94,6 +116,7 @@ class Cells {
            x_.frames[e - 1],
            {},
            {},
+           {},
            {}};
     c.u = log(x_.frames[e - 1].conjugate() * x_.frames[e]);
     detail::set_numbers<Space>(c, r.bending[j], r.K0[j]);
@@ -116,6 +139,7 @@ class Cells {
            numbers_.rest(e),
            r.grid.h(span.first) / 2,
            held,
+           {},
            {},
            {},
            {}};
@@ -162,6 +186,7 @@ class Cells {
            before ? x_.frames[e] : held,
            {},
            {},
+           {},
            {}};
     c.u =
         log(principal(before ? x_.frames[e].conjugate() * held : held.conjugate() * x_.frames[e]));
@@ -188,6 +213,7 @@ class Cells {
            x_.frames[a],
            {},
            {},
+           {},
            {}};
     Rotation W = x_.frames[a].conjugate() * x_.frames[b];
     if (b < a) W = principal(W);
@@ -202,6 +228,7 @@ class Cells {
   StateItems<Space> state_;
   NumberItems<Space> numbers_;
   AttachmentNumbers<Space> attached_;
+  CellTerms<Space> terms_;
 };
 
 }  // namespace pyrod

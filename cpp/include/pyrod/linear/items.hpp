@@ -71,7 +71,8 @@ class NumberItems {
       : edges_(layout.edges()),
         nodes_(int(layout.network().nodes.size())),
         attached_(AttachmentNumbers<Space>(layout).count()),
-        rods_(int(layout.network().rods.size())) {
+        rods_(int(layout.network().rods.size())),
+        tendons_(int(layout.network().tendons.size())) {
     for (const auto& rod : layout.network().rods)
       vertices_.push_back(vertices_.back() + rod.edges() + 1);
   }
@@ -99,10 +100,11 @@ class NumberItems {
   int end_moment(int rod, Side s) const { return end_rest(rods_, Side::before) + 2 * rod + int(s); }
   int end_following(int rod) const { return end_moment(rods_, Side::before) + rod; }
   int force(int rod, int vertex) const { return end_following(rods_) + vertices_[rod] + vertex; }
-  int count() const { return force(rods_, 0); }
+  int tension(int tendon) const { return force(rods_, 0) + tendon; }
+  int count() const { return tension(tendons_); }
 
  private:
-  int edges_, nodes_, attached_, rods_;
+  int edges_, nodes_, attached_, rods_, tendons_;
   std::vector<int> vertices_{0};  ///< first of each rod
 };
 

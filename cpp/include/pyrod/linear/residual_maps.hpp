@@ -46,7 +46,8 @@ class ResidualMaps {
         state_(layout),
         numbers_(layout),
         attached_(layout) {
-    Cells<Space>(layout, x).for_each([&](const auto& cell) { add(cell); });
+    const Cells<Space> cells(layout, x);
+    cells.for_each([&](const auto& cell) { add(cell), add_tensions(cell, cells.terms()); });
     for (int p = 0; p < int(layout.spans().size()); ++p) add_span(p);
     for (int v = 0; v < int(net_.nodes.size()); ++v) add_place(v), add_turn(v), move_node(v);
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
@@ -76,7 +77,7 @@ class ResidualMaps {
 
   /// ∓T δm with theory (30), and what held frames exert on each other.
   void add(const CellOfNetwork<Space>& c) {
-    const auto jet = c.jet();
+    const auto jet = c.whole();
     const Mat<spin> T = c.T(), by_k = T * c.strain().asDiagonal(), by_rest = T * c.k.asDiagonal(),
                     Tt = T.transpose(), b_by_k = Tt * c.strain().asDiagonal(),
                     b_by_rest = Tt * c.k.asDiagonal();
@@ -90,6 +91,14 @@ class ResidualMaps {
       of_state_.add(c.a, c.b, jet.ab);
       add_held(c.b, c.attachment, jet.bb, jet.b);
     }
+  }
+
+  void add_tensions(const CellOfNetwork<Space>& c, const CellTerms<Space>& terms) {
+    terms.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
+      const Mat<spin> T = c.T();
+      of_numbers_.add(c.a, numbers_.tension(i), Spin<Space>(-T * length.slope));
+      of_numbers_.add(c.b, numbers_.tension(i), Spin<Space>(T.transpose() * length.slope));
+    });
   }
 
   /// The moment g on a held frame, first moved by ψ and then looked at: H ψ + ½ g × ψ. If the frame

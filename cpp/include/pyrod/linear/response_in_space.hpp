@@ -57,6 +57,8 @@ class ResponseInSpace {
       told = this->to_space(item, kind);
     });
     out.energy = change_.told(0, linear_.told_items().energy());
+    for (std::size_t i = 0; i < out.tendon_lengths.size(); ++i)
+      out.tendon_lengths[i] = change_.told(0, linear_.told_items().tendon_length(int(i)));
     return out;
   }
 
@@ -68,6 +70,8 @@ class ResponseInSpace {
       this->from_space(weight, item, kind);
     });
     change_.told(0, linear_.told_items().energy()) = weights.energy;
+    for (std::size_t i = 0; i < weights.tendon_lengths.size(); ++i)
+      change_.told(0, linear_.told_items().tendon_length(int(i))) = weights.tendon_lengths[i];
     linear_.pull(change_, numbers_);
     return flat(numbers_);
   }
@@ -131,6 +135,7 @@ class ResponseInSpace {
     for (const auto& rod : posed_->network().rods) out.rods.emplace_back(rod.edges());
     out.reaction_forces.assign(nodes_.size(), Vec3::Zero());
     out.reaction_moments = out.reaction_forces;
+    out.tendon_lengths.assign(posed_->network().tendons.size(), 0.);
     return out;
   }
 

@@ -39,6 +39,7 @@ class ToldMaps {
         numbers_(layout),
         told_(layout),
         attached_(layout),
+        terms_(net_),
         unknown_(told_.count(), false) {
     Cells<Space>(layout, x).for_each([&](const auto& cell) { tell(cell); });
     for (int e = 0; e < layout.edges(); ++e) tell_edge(e);
@@ -63,6 +64,17 @@ class ToldMaps {
     of_state_.add(to, c.b, Block(of * -jet.ab));
     of_numbers_.add(to, c.stiffness, Block(of * T * c.strain().asDiagonal()));
     of_numbers_.add(to, c.rest, Block(-of * T * c.k.asDiagonal()));
+    terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
+      of_numbers_.add(to, numbers_.tension(i), Spin<Space>(of * T * length.slope));
+    });
+  }
+
+  void tell_tendons(const CellOfNetwork<Space>& c) {
+    terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
+      const Row slope = length.slope.transpose();
+      of_state_.add(told_.tendon_length(i), c.a, Row(-slope * c.T().transpose()));
+      of_state_.add(told_.tendon_length(i), c.b, Row(slope * c.T()));
+    });
   }
 
   /// The same in space: the frame takes the moment along.
@@ -72,12 +84,17 @@ class ToldMaps {
     of_state_.add(to, c.a, Block(R * spin_skew(jet.a)));
   }
 
-  void tell(const CellOfNetwork<Space>& c) {
-    const auto jet = c.jet();
+  void tell_elastic(const CellOfNetwork<Space>& c, const TurnJet<Space>& jet) {
     of_state_.add(told_.energy(), c.a, Row(jet.a.transpose()));
     of_state_.add(told_.energy(), c.b, Row(jet.b.transpose()));
     of_numbers_.add(told_.energy(), c.stiffness, Row(c.strain().cwiseAbs2().transpose() / 2));
     of_numbers_.add(told_.energy(), c.rest, Row(-c.m().transpose()));
+  }
+
+  void tell(const CellOfNetwork<Space>& c) {
+    tell_elastic(c, c.jet());
+    tell_tendons(c);
+    const auto jet = c.whole();
     const auto& rod = net_.rods[c.rod];
     const bool at_end = !rod.grid.closed() && c.vertex == rod.edges();
     const int vertex = told_.vertex(c.rod, c.vertex);
@@ -100,6 +117,10 @@ class ToldMaps {
     const auto& grid = net_.rods[c.rod].grid;
     const bool inside = c.vertex > 0 && c.vertex < grid.edges();
     Spin<Space> K = c.u / c.length;
+    if (c.driven && c.kind == CellKind::behind && inside) {
+      unknown_[to] = true;  // the tendons' part of the moment changes with it
+      return;
+    }
     if (c.kind == CellKind::behind && (inside || grid.closed())) {
       const Spin<Space> give = (c.k * c.length).cwiseInverse();
       K = (c.u0 - jet.a.cwiseQuotient(c.k)) / c.length;
@@ -191,7 +212,7 @@ class ToldMaps {
     const auto& r = net_.rods[rod];
     const int n = r.edges(), e = layout_.edge(rod, start ? 0 : n - 1);
     const auto& q = x_.frames[e];
-    const FreeEnd<Space> end(r, net_.loads[rod], start, q);
+    const FreeEnd<Space> end(r, net_.loads[rod], terms_, rod, start, q);
     const Side side = start ? Side::before : Side::behind;
     const int vertex = told_.vertex(rod, start ? 0 : n), turn = told_.vertex_turn(vertex),
               K = told_.curvature(vertex);
@@ -205,6 +226,8 @@ class ToldMaps {
     of_numbers_.add(K, numbers_.length(e),
                     Spin<Space>(-sign * end.w / (end.length * end.length) / 2));
     tell_end_turn(rod, side, end, e, told_.energy(), Row(end.m.transpose()));
+    for (const auto& [i, slope] : end.tendons)
+      tell_end_turn(rod, side, end, e, told_.tendon_length(i), Row(slope.transpose()));
     const Spin<Space> strain = end.w - end.rest;
     of_numbers_.add(told_.energy(), numbers_.end_stiffness(rod, side),
                     Row(strain.cwiseAbs2().transpose() / 2));
@@ -227,6 +250,9 @@ class ToldMaps {
     const double sign = end.start ? -1 : 1;
     of_numbers_.add(to, numbers_.end_stiffness(rod, side), Out(of * end.by_k));
     of_numbers_.add(to, numbers_.end_rest(rod, side), Out(sign * of * end.by_rest));
+    for (const auto& [i, slope] : end.tendons)
+      of_numbers_.add(to, numbers_.tension(i),
+                      Eigen::Matrix<double, A::RowsAtCompileTime, 1>(-of * end.by_total * slope));
     if (end.follows) {
       of_numbers_.add(to, numbers_.end_following(rod), Out(of * end.by_moment));
       return;
@@ -260,6 +286,7 @@ class ToldMaps {
   NumberItems<Space> numbers_;
   ToldItems<Space> told_;
   AttachmentNumbers<Space> attached_;
+  CellTerms<Space> terms_;
   std::vector<char> unknown_;
   ItemMap<Space> of_state_, of_numbers_;
 };
