@@ -58,8 +58,12 @@ void read(const py::handle& given, const char* name, Along<Vec<N>>& out) {
   else
     out = vectors<N>(a, name);
 }
-void read(const py::handle& given, const char* name, Along<Vec2>& out) { read<2>(given, name, out); }
-void read(const py::handle& given, const char* name, Along<Vec3>& out) { read<3>(given, name, out); }
+void read(const py::handle& given, const char* name, Along<Vec2>& out) {
+  read<2>(given, name, out);
+}
+void read(const py::handle& given, const char* name, Along<Vec3>& out) {
+  read<3>(given, name, out);
+}
 template <class T>
 void read(const py::handle& given, const char* name, std::optional<T>& out) {
   if (given.is_none()) return;

@@ -10,8 +10,8 @@ namespace pyrod::bind {
 namespace {
 
 Solver scene_of(const std::vector<const GivenRod*>& rods, std::vector<Support> supports,
-                std::vector<Joint> joints, std::vector<Load> loads,
-                std::vector<Actuator> actuators, const std::string& space) {
+                std::vector<Joint> joints, std::vector<Load> loads, std::vector<Actuator> actuators,
+                const std::string& space) {
   std::vector<RodSpec> specs;
   for (const auto* rod : rods) specs.push_back(rod->spec);
   return Solver(Scene(std::move(specs), std::move(supports), std::move(loads), space_of(space),

@@ -108,14 +108,11 @@ struct Going {
 };
 
 /// The scene, or that of before, with these parts; from what was found last.
-std::shared_ptr<Equilibrium> solve_changed(Solver& solver, const Solver* given,
-                                           const Changes::Of<const GivenRod*>& rods,
-                                           const Changes::Of<Support>& supports,
-                                           const Changes::Of<Joint>& joints,
-                                           const Changes::Of<Load>& loads,
-                                           const Changes::Of<Actuator>& actuators,
-                                           const Options& options, bool stable, bool eigenvalue,
-                                           std::optional<double> tol) {
+std::shared_ptr<Equilibrium> solve_changed(
+    Solver& solver, const Solver* given, const Changes::Of<const GivenRod*>& rods,
+    const Changes::Of<Support>& supports, const Changes::Of<Joint>& joints,
+    const Changes::Of<Load>& loads, const Changes::Of<Actuator>& actuators, const Options& options,
+    bool stable, bool eigenvalue, std::optional<double> tol) {
   Changes changes{{}, supports, joints, loads, actuators};
   for (const auto& [i, rod] : rods) changes.rods.emplace_back(i, rod->spec);
   Settings settings = settings_of(options, tol, stable, eigenvalue);

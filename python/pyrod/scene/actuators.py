@@ -105,7 +105,9 @@ def sampled_tendon(tendon: Tendon, rods: tuple[Rod, ...]) -> Tendon:
         return tendon
     s = rods[tendon.rod].arc_lengths
     h = np.diff(s)
-    places = np.append(np.concatenate([s[:-1, None] + h[:, None] * np.arange(4) / 4]).ravel(), s[-1])
+    places = np.append(
+        np.concatenate([s[:-1, None] + h[:, None] * np.arange(4) / 4]).ravel(), s[-1]
+    )
     return replace(tendon, offset=_Table(places, tendon.offsets(places)))
 
 

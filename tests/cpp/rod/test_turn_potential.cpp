@@ -126,9 +126,8 @@ TEST_CASE_TEMPLATE("a turn under a moment, of any law", Space, EACH_SPACE) {
 TEST_CASE("tendons: halves, ends and slopes of a helix on uneven edges") {
   Random random(24);
   const double turn = 2 * std::numbers::pi;
-  const auto helix = std::make_shared<const Routing>([=](double s) {
-    return Vec2(0.1 * std::cos(turn * s), 0.1 * std::sin(turn * s));
-  });
+  const auto helix = std::make_shared<const Routing>(
+      [=](double s) { return Vec2(0.1 * std::cos(turn * s), 0.1 * std::sin(turn * s)); });
   for (const Grid& grid : {Grid::uniform(1, 40), random.grid(40)}) {
     const RoutedTendon tendon(0, 8, 40, 3., {20}, helix, grid);
     CHECK(!tendon.covers(8, CellKind::before));
@@ -143,8 +142,8 @@ TEST_CASE("tendons: halves, ends and slopes of a helix on uneven edges") {
     CHECK(distance(whole.along, Vec3(before.along + behind.along)) < 1e-15);
     CHECK(whole.along.z() == doctest::Approx(grid.Δs(20)).epsilon(1e-14));
     const double middle = (grid.centre(19) + grid.centre(20)) / 2;
-    CHECK(distance(whole.lever, Vec3(0.1 * std::cos(turn * middle), 0.1 * std::sin(turn * middle),
-                                     0)) < 1e-12);
+    CHECK(distance(whole.lever,
+                   Vec3(0.1 * std::cos(turn * middle), 0.1 * std::sin(turn * middle), 0)) < 1e-12);
     const double quarter = grid.s(20) - grid.h(19) / 4;
     CHECK(distance(before.lever, Vec3(0.1 * std::cos(turn * quarter),
                                       0.1 * std::sin(turn * quarter), 0)) < 1e-14);
@@ -160,9 +159,8 @@ TEST_CASE("tendons: halves, ends and slopes of a helix on uneven edges") {
 }
 
 TEST_CASE("tendons: slopes do not look beyond kinks") {
-  const auto bent = std::make_shared<const Routing>([](double s) {
-    return s < 0.5 ? Vec2(0.1, 0) : Vec2(0.1 + s - 0.5, 2 * s - 1);
-  });
+  const auto bent = std::make_shared<const Routing>(
+      [](double s) { return s < 0.5 ? Vec2(0.1, 0) : Vec2(0.1 + s - 0.5, 2 * s - 1); });
   const Grid grid = Grid::uniform(1, 6);
   const RoutedTendon tendon(0, 0, 6, 1., {3}, bent, grid);
   const auto slope = [&](int j, CellKind side) {

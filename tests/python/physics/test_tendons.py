@@ -154,7 +154,9 @@ def test_directors_may_be_named_otherwise():
     """Turned by a quarter about the axis, with the offset turned back."""
     quarter = exp(np.array([0, 0, np.pi / 2]))
     one = pyrod.solve(robot(Tendon((DISTANCE, 0), 5), Force(TIP_FORCE)))
-    other = pyrod.solve(robot(Tendon((0, -DISTANCE), 5), Force(TIP_FORCE), clamp=Clamp(None, quarter)))
+    other = pyrod.solve(
+        robot(Tendon((0, -DISTANCE), 5), Force(TIP_FORCE), clamp=Clamp(None, quarter))
+    )
     assert np.abs(one.positions - other.positions).max() < 1e-13
 
 
@@ -164,7 +166,9 @@ def test_all_is_in_balance():
     result = pyrod.solve(robot(tendons, loads, edges=20))
     assert max(result.balance) < 1e-13
     # tendons are inside: the support bears the loads alone
-    assert np.abs(result.reaction.force + np.sum([load.force for load in loads], axis=0)).max() < 1e-13
+    assert (
+        np.abs(result.reaction.force + np.sum([load.force for load in loads], axis=0)).max() < 1e-13
+    )
     # at the base they pull, and the rod is pressed
     pulls = np.sum([tendon.force_on_base for tendon in result.tendons[:1]], axis=0)
     assert np.abs(result.vertex_force[0] - result.backbone_force[0] - pulls).max() < 1e-12
@@ -185,7 +189,9 @@ def test_a_tendon_that_ends_inside_leaves_the_rest_straight():
         tip = at + (LENGTH - 0.15) * np.array([np.sin(angle), 0, np.cos(angle)])
         # the polygon's chords are those of the arc to second order; with a tolerance it is the arc
         assert np.abs(result.tip - tip).max() < (1e-9 if tol else 1e-3) * LENGTH
-        assert result.tendons[0].length == pytest.approx(0.15 * (1 - curvature * DISTANCE), rel=1e-11)
+        assert result.tendons[0].length == pytest.approx(
+            0.15 * (1 - curvature * DISTANCE), rel=1e-11
+        )
 
 
 def test_the_anchor_of_an_inner_end_is_exact_on_any_grid_in_the_turns():
@@ -222,9 +228,7 @@ def test_rows_are_straight_between_vertices():
     bent = rows.copy()
     bent[4:] = bent[4]
     kinked = pyrod.solve(robot(Tendon(bent, 5)), tol=1e-9)
-    same = pyrod.solve(
-        robot(Tendon(lambda s: converging(min(s, LENGTH / 2)), 5)), tol=1e-9
-    )
+    same = pyrod.solve(robot(Tendon(lambda s: converging(min(s, LENGTH / 2)), 5)), tol=1e-9)
     assert np.abs(kinked.positions - same.positions).max() < 1e-10
     assert kinked.accuracy.regular
     assert same.accuracy.regular

@@ -134,7 +134,11 @@ def test_solvers_take_other_tensions_and_places():
     scene = Scene(ROD, Clamp(), Force((0, 0.1, 0)), actuators=[Tendon((0.1, 0), 1)])
     solver = Solver(scene)
     solver.solve()
-    for changes in ({"actuators.0.tension": 3.0}, {"actuators.0.end": 0.55}, {"loads.0.force.1": 0.3}):
+    for changes in (
+        {"actuators.0.tension": 3.0},
+        {"actuators.0.end": 0.55},
+        {"loads.0.force.1": 0.3},
+    ):
         found = solver.solve(changes)
         afresh = pyrod.solve(solver.scene)
         assert np.abs(found.positions - afresh.positions).max() < 1e-12

@@ -40,8 +40,8 @@ struct FreeEnd {
   Block by_total;                  ///< −δw: of what else acts in the half cell
   /// Tendons in it, and how their lengths grow with w.
   std::vector<std::pair<int, Spin<Space>>> tendons;
-  Block of_edge, of_turn;          ///< the frame's turn: of the edge's, of δw
-  Spin<Space> M;                   ///< moment on the end, in the edge's frame, or following
+  Block of_edge, of_turn;  ///< the frame's turn: of the edge's, of δw
+  Spin<Space> M;           ///< moment on the end, in the edge's frame, or following
 
   FreeEnd(const Rod<Space>& rod, const Loads<Space>& loads, const CellTerms<Space>& terms,
           int number, bool at_start, const Rotation& q)

@@ -21,8 +21,8 @@ template <class Space>
 struct TendonLength {
   double length;
   Point<Space> direction;
-  Spin<Space> slope;             ///< ∂ℓ/∂u = d̄ × t
-  Mat<Space::spin> curvature;    ///< ∂²ℓ/∂u² = [d̄](I − t tᵀ)[d̄]ᵀ/ℓ, positive semidefinite
+  Spin<Space> slope;           ///< ∂ℓ/∂u = d̄ × t
+  Mat<Space::spin> curvature;  ///< ∂²ℓ/∂u² = [d̄](I − t tᵀ)[d̄]ᵀ/ℓ, positive semidefinite
 };
 
 inline Vec3 levered(const Vec3& u, const Vec3& lever) { return u.cross(lever); }

@@ -15,7 +15,7 @@ namespace pyrod {
 template <class Space>
 struct TurnPotential {
   double energy = 0;
-  Spin<Space> m = Spin<Space>::Zero();         ///< ψ'
+  Spin<Space> m = Spin<Space>::Zero();            ///< ψ'
   Mat<Space::spin> k = Mat<Space::spin>::Zero();  ///< ψ'', symmetric
 };
 

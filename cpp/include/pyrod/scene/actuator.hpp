@@ -22,8 +22,8 @@ struct Tendon {
   /// From the axis, along the directors a1 and a2 [m]: one for all, one per vertex of the rod,
   /// straight between them in the rod's own frames; or a function of arc length.
   Along<Vec2> offset;
-  double tension;                                ///< [N]
-  std::optional<double> start = {}, end = {};    ///< arc lengths; none: the rod's ends
+  double tension;                              ///< [N]
+  std::optional<double> start = {}, end = {};  ///< arc lengths; none: the rod's ends
   int rod = 0;
   std::vector<double> kinks = {};  ///< arc lengths at which a function has kinks; found if needed
 

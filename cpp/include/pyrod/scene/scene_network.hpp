@@ -4,11 +4,11 @@
 
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
+#include <pyrod/rod/routed_tendon.hpp>
 #include <pyrod/rotation/frame_along.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/rotation/unit.hpp>
-#include <pyrod/rod/routed_tendon.hpp>
 #include <pyrod/scene/actuator.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/scene/hold.hpp>

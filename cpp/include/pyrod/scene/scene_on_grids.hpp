@@ -37,8 +37,8 @@ namespace detail {
 /// Arc lengths at which rods need vertices, rod by rod.
 using Wanted = std::vector<std::vector<double>>;
 
-/// Where rods are held and joined, where tendons end; and where point loads act, of rods whose grid the solver
-/// chooses, or of all.
+/// Where rods are held and joined, where tendons end; and where point loads act, of rods whose grid
+/// the solver chooses, or of all.
 inline Wanted vertices_of_places(const Scene& scene, bool all) {
   Wanted at(scene.rods.size());
   const auto mark = [&](const Place& place, bool point_load) {

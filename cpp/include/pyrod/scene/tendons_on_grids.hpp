@@ -90,8 +90,13 @@ RoutedTendon routed(const Tendon& tendon, const Grid& grid, const Vertex& vertex
           throw InvalidArgument("offset: a list has no meaning without the rod's vertices");
       },
       tendon.offset);
-  return {tendon.rod, first, last, tendon.tension, std::move(kinks),
-          std::make_shared<const Routing>(routing), grid};
+  return {tendon.rod,
+          first,
+          last,
+          tendon.tension,
+          std::move(kinks),
+          std::make_shared<const Routing>(routing),
+          grid};
 }
 
 }  // namespace pyrod

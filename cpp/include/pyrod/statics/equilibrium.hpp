@@ -57,9 +57,9 @@ struct Doubt {
 /// What there is to know of a shape in equilibrium.
 struct Shape {
   std::vector<RodSolution<Spatial>> rods;
-  std::vector<Reaction> reactions = {};  ///< of the supports, in their order
-  std::vector<Vec3> held = {};           ///< the points that they hold
-  std::vector<Rod<Spatial>> made = {};   ///< the rods as they were solved
+  std::vector<Reaction> reactions = {};               ///< of the supports, in their order
+  std::vector<Vec3> held = {};                        ///< the points that they hold
+  std::vector<Rod<Spatial>> made = {};                ///< the rods as they were solved
   std::vector<TendonSolution<Spatial>> tendons = {};  ///< in the order of the scene's actuators
 };
 

@@ -73,9 +73,9 @@ class CellTerms {
     const Spin<Space>&C = kind == CellKind::whole    ? r.bending[j]
                           : kind == CellKind::before ? sides.bending_before
                                                      : sides.bending_behind,
-           &K0 = kind == CellKind::whole    ? r.K0[j]
-                 : kind == CellKind::before ? sides.K0_before
-                                            : sides.K0_behind;
+          &K0 = kind == CellKind::whole    ? r.K0[j]
+                : kind == CellKind::before ? sides.K0_before
+                                           : sides.K0_behind;
     const Spin<Space> k = C / Δs, strain = u - Δs * K0;
     out.energy += strain.dot(k.cwiseProduct(strain)) / 2;
     out.m += k.cwiseProduct(strain);

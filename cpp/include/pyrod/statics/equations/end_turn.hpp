@@ -19,15 +19,13 @@ Spin<Space> turn_of_end(const CellTerms<Space>& terms, const Rod<Space>& r, int 
   const bool start = end == End::start;
   const int j = start ? 0 : r.edges();
   const Spin<Space> K0 = start ? Spin<Space>(-r.K0[j]) : r.K0[j];
-  const Spin<Space> u =
-      follows ? turn_under_moment_behind<Space>(M, r.bending[j], K0, r.grid.Δs(j))
-              : turn_under_moment<Space>(M, r.bending[j], K0, r.grid.Δs(j));
+  const Spin<Space> u = follows ? turn_under_moment_behind<Space>(M, r.bending[j], K0, r.grid.Δs(j))
+                                : turn_under_moment<Space>(M, r.bending[j], K0, r.grid.Δs(j));
   const CellKind kind = start ? CellKind::behind : CellKind::before;
   if (terms.none(rod, j, kind)) return u;
   const auto law = [&](const Spin<Space>& turn) { return terms.whole(rod, j, kind, turn); };
   if (start) return turn_under_moment<Space>(M, mirrored<Space>(law), u);
-  return follows ? turn_under_moment_behind<Space>(M, law, u)
-                 : turn_under_moment<Space>(M, law, u);
+  return follows ? turn_under_moment_behind<Space>(M, law, u) : turn_under_moment<Space>(M, law, u);
 }
 
 }  // namespace pyrod

@@ -43,7 +43,7 @@ namespace pyrod {
                                                 const Options&, const NetworkOptions&,          \
                                                 const Trace&);                                  \
   prefix template Solution<Space> told<Space>(const Posed<Space>&, const Found<Space>&, int,    \
-                                                       bool);                                        \
+                                              bool);                                            \
   prefix template Climbed climb<Space>(const PosedLevel<Space>&, std::span<const Rod<Spatial>>, \
                                        bool, const std::optional<NetworkStart>&,                \
                                        const ClimbSettings&);

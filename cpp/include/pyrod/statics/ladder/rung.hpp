@@ -130,10 +130,7 @@ struct Rung {
   /// `solution`: as told at the vertices of the coarsest grid, of whose edges its own are
   /// `parts`-ths.
   Rung(const Solution<Spatial>& solution, int parts, const Rung* before)
-      : rods(solution.rods),
-        nodes(solution.nodes),
-        tendons(solution.tendons),
-        stride(parts) {
+      : rods(solution.rods), nodes(solution.nodes), tendons(solution.tendons), stride(parts) {
     for (const auto& rod : rods) one_axis = one_axis && bends_about_its_moment(rod);
     if (before) take_signs(*before);
   }

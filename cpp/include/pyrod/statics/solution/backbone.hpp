@@ -78,7 +78,7 @@ class Backbone {
     const auto sides = rod_.sides(j);
     const bool before = side == CellKind::before;
     const Spin<Space>&C = before ? sides.bending_before : sides.bending_behind,
-         &K0 = before ? sides.K0_before : sides.K0_behind;
+          &K0 = before ? sides.K0_before : sides.K0_behind;
     for (int i = 0; i < 50; ++i) {
       TurnPotential<Space> ψ;
       ψ.m = C.cwiseProduct(K - K0), ψ.k.diagonal() = C;

@@ -44,8 +44,8 @@ class Extremes {
   Largest largest(const RodSolution<Space>& s, int stride) {
     for (const int J : {0, rod_.edges() / stride}) {
       const Spin<Space> M = rotate_spin(s.vertex_frames[J].conjugate(), s.moment[J]);
-      const Spin<Space> K = s.backbone_force.empty() ? rod_.sides(J * stride).K_behind(M)
-                                                     : s.strains.K[J];
+      const Spin<Space> K =
+          s.backbone_force.empty() ? rod_.sides(J * stride).K_behind(M) : s.strains.K[J];
       take(J * stride, K, s.vertex_force[J], s.moment[J]);
     }
     for (const auto& b : s.before)

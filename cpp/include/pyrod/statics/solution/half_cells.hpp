@@ -90,11 +90,11 @@ class HalfCells {
     if (on_.back().rigid)
       curve.end_frame = nearest(held_frame(x_, on_.back()), last);
     else
-      curve.end_frame = moved(
-          last, turn_of_end<Space>(terms_, r_, rod_, End::end,
-                                   follows ? loads_.follower_end_moment
-                                           : rotate_spin(last.conjugate(), loads_.end_moment),
-                                   follows));
+      curve.end_frame =
+          moved(last, turn_of_end<Space>(terms_, r_, rod_, End::end,
+                                         follows ? loads_.follower_end_moment
+                                                 : rotate_spin(last.conjugate(), loads_.end_moment),
+                                         follows));
   }
 
  private:

@@ -87,11 +87,12 @@ class Recovery {
     s.bend_twist_energy += Δs * ΔK.dot(M) / 2;
     Spin<Space> others = Spin<Space>::Zero();
     if (!terms_.none(rod))
-      others = terms_.at(rod, j,
-                         j == 0             ? CellKind::behind
-                         : j == r.edges() ? CellKind::before
-                                            : CellKind::whole,
-                         u)
+      others = terms_
+                   .at(rod, j,
+                       j == 0           ? CellKind::behind
+                       : j == r.edges() ? CellKind::before
+                                        : CellKind::whole,
+                       u)
                    .m;
     extremes_.back().add_cell(u, M, others);
     if (!keeps(j)) return;

@@ -61,8 +61,8 @@ Solution<Spatial> placed(Solution<Space>&& local, const Placement<Spatial>& at) 
                          rotate(at.frame, embed(v.reaction_force)), at.frame * embed(v.frame),
                          rotate(at.frame, embed_spin(v.reaction_moment))});
   for (const auto& tendon : local.tendons)
-    out.tendons.push_back({tendon.tension, tendon.length,
-                           Vec3(rotate(at.frame, embed(tendon.force_on_base)))});
+    out.tendons.push_back(
+        {tendon.tension, tendon.length, Vec3(rotate(at.frame, embed(tendon.force_on_base)))});
   out.mode.reserve(local.mode.size());
   for (const auto& φ : local.mode) out.mode.push_back(embed_spin(φ));
   return out;
