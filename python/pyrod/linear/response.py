@@ -49,9 +49,9 @@ class Linearised:
     ``R <- R exp(phi)``; ``"rotations"`` of the vertices in space, what moments work on;
     ``"K"``, ``"moment"``, ``"Gamma"``, ``"force"``; ``"tip"``, ``"tip_frame"``; ``"energy"``;
     ``"reactions.0.force"`` and ``"reactions.0.moment"``; ``"tendons.0.length"``. With several rods
-    say ``"rods.1.positions"``. NaN is told where there is no derivative, or where it is not known: at
-    vertices where a section jumps or a moment acts that no node takes, and for forces that are not
-    determined.
+    say ``"rods.1.positions"``. NaN is told where there is no derivative, or where it is not known:
+    at vertices where a section jumps or a moment acts that no node takes, and for forces that are
+    not determined.
 
     Names of what changes are the paths of scenes, as in `sweep`: ``"loads.0.force"``,
     ``"supports.1.position"``, ``"supports.1.frame"`` (a rotation vector in its components),

@@ -100,14 +100,12 @@ class Tendon(Actuator):
 
 
 def sampled_tendon(tendon: Tendon, rods: tuple[Rod, ...]) -> Tendon:
-    """The same with a function replaced by a table of it, exact where the rod's grid asks for it."""
+    """The same with a function replaced by a table of it, exact where the rod's grid asks."""
     if not callable(tendon.offset) or isinstance(tendon.offset, _Table):
         return tendon
     s = rods[tendon.rod].arc_lengths
-    h = np.diff(s)
-    places = np.append(
-        np.concatenate([s[:-1, None] + h[:, None] * np.arange(4) / 4]).ravel(), s[-1]
-    )
+    quarters = s[:-1, None] + np.diff(s)[:, None] * np.arange(4) / 4
+    places = np.append(quarters.ravel(), s[-1])
     return replace(tendon, offset=_Table(places, tendon.offsets(places)))
 
 

@@ -89,7 +89,7 @@ class Scene(Immutable):
             self._set(given=(rods, loads, actuators))
 
     def as_given(self) -> tuple[tuple[Rod, ...], tuple[Load, ...], tuple[Tendon, ...]]:
-        """Rods, loads and actuators without the vertices that places got, if they are known still."""
+        """Rods, loads and actuators without vertices of places, if they are known still."""
         return self.__dict__.get("given", (self.rods, self.loads, self.actuators))
 
     @Once
