@@ -122,12 +122,13 @@ py::tuple reactions(const Equilibrium& e) {
   return out;
 }
 
-/// Tension, length, and what it exerts where it begins.
+/// Tension, length, what it exerts where it begins, and whether it is slack.
 py::tuple tendons(const Equilibrium& e) {
   py::tuple out(e.tendons().size());
   for (std::size_t i = 0; i < e.tendons().size(); ++i) {
     const auto& tendon = e.tendons()[i];
-    out[i] = py::make_tuple(tendon.tension, tendon.length, copied<Vec3>(tendon.force_on_base));
+    out[i] = py::make_tuple(tendon.tension, tendon.length, copied<Vec3>(tendon.force_on_base),
+                            tendon.slack);
   }
   return out;
 }

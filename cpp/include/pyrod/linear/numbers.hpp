@@ -59,10 +59,13 @@ void require_alike(const Layout<Space>& layout, const Layout<Space>& base) {
 template <class Space>
 void require_same_tendons(const Network<Space>& net, const Network<Space>& like) {
   const auto same = [](const RoutedTendon& a, const RoutedTendon& b) {
-    return a.rod == b.rod && a.first == b.first && a.last == b.last && a.samples() == b.samples();
+    return a.rod == b.rod && a.first == b.first && a.last == b.last && a.samples() == b.samples() &&
+           a.softness == b.softness;
   };
-  require(std::ranges::equal(net.tendons, like.tendons, same),
-          "linear: a change of the offset of a tendon, or of its ends, has no derivative here");
+  require(
+      std::ranges::equal(net.tendons, like.tendons, same),
+      "linear: a change of the offset of a tendon, of its ends, or of its EA, has no derivative "
+      "here");
   for (const auto& tendon : net.tendons)
     require(net.rods[tendon.rod].grid.edge_lengths() == like.rods[tendon.rod].grid.edge_lengths(),
             "linear: a change of the length of a rod with tendons has no derivative here");
@@ -88,7 +91,7 @@ class NumbersOf {
     detail::require_same_tendons(net_, base.network());
     set_edges();
     for (int i = 0; i < int(net_.tendons.size()); ++i)
-      out_(0, items_.tension(i)) = net_.tendons[i].tension;
+      out_(0, items_.tendon(i)) = net_.tendons[i].length.value_or(net_.tendons[i].tension);
     const NetworkLoads<Space> loads(layout);
     for (const auto& [e, m] : loads.edge_moments()) add(items_.moment(e), m);
     for (const auto& [e, m] : loads.follower_moments()) add(items_.following(e), m);

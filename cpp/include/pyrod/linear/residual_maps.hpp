@@ -11,6 +11,7 @@
 #include <pyrod/statics/equations/edge_columns.hpp>
 #include <pyrod/statics/equations/network_loads.hpp>
 #include <pyrod/statics/equations/network_rows.hpp>
+#include <pyrod/statics/equations/tendon_rows.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
@@ -50,6 +51,8 @@ class ResidualMaps {
     cells.for_each([&](const auto& cell) { add(cell), add_tensions(cell, cells.terms()); });
     for (int p = 0; p < int(layout.spans().size()); ++p) add_span(p);
     for (int v = 0; v < int(net_.nodes.size()); ++v) add_place(v), add_turn(v), move_node(v);
+    for (int i = 0; i < int(net_.tendons.size()); ++i)
+      if (layout.tendon_block(i) >= 0) add_length(i, cells.terms().tension(i));
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
       const auto& on = layout.attached(rod);
       for (int i = 0; i < int(on.size()); ++i) add_attachment(on[i], attached_.of(rod, i));
@@ -73,6 +76,8 @@ class ResidualMaps {
   const ItemMap<Space>& skew() const { return skew_; }
 
  private:
+  using Row = Eigen::Matrix<double, 1, spin>;
+
   static Mat<spin> half_skew(const Spin<Space>& m) { return spin_skew(m) / 2; }
 
   /// ∓T δm with theory (30), and what held frames exert on each other.
@@ -96,9 +101,22 @@ class ResidualMaps {
   void add_tensions(const CellOfNetwork<Space>& c, const CellTerms<Space>& terms) {
     terms.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
       const Mat<spin> T = c.T();
-      of_numbers_.add(c.a, numbers_.tension(i), Spin<Space>(-T * length.slope));
-      of_numbers_.add(c.b, numbers_.tension(i), Spin<Space>(T.transpose() * length.slope));
+      const Spin<Space> of_a = -T * length.slope, of_b = T.transpose() * length.slope;
+      if (layout_.tendon_block(i) < 0) {
+        of_numbers_.add(c.a, numbers_.tendon(i), of_a);
+        of_numbers_.add(c.b, numbers_.tendon(i), of_b);
+      } else if (!TendonRows<Space>::is_slack(x_, i)) {  // held frames move it as well
+        if (c.edge_a < 0) of_state_.add(state_.tendon(i), c.a, Row(of_a.transpose()));
+        if (c.edge_b < 0) of_state_.add(state_.tendon(i), c.b, Row(of_b.transpose()));
+      }
     });
+  }
+
+  /// The gap of a tendon, ℓ less its length under tension. Of one that is slack there is none.
+  void add_length(int i, double tension) {
+    if (TendonRows<Space>::is_slack(x_, i)) return;
+    of_numbers_.add(state_.tendon(i), numbers_.tendon(i),
+                    Mat<1>(-(1 + net_.tendons[i].softness * tension)));
   }
 
   /// The moment g on a held frame, first moved by ψ and then looked at: H ψ + ½ g × ψ. If the frame

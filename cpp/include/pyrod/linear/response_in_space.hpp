@@ -57,8 +57,11 @@ class ResponseInSpace {
       told = this->to_space(item, kind);
     });
     out.energy = change_.told(0, linear_.told_items().energy());
-    for (std::size_t i = 0; i < out.tendon_lengths.size(); ++i)
-      out.tendon_lengths[i] = change_.told(0, linear_.told_items().tendon_length(int(i)));
+    const auto& told = linear_.told_items();
+    for (int i = 0; i < int(out.tensions.size()); ++i) {
+      out.tendon_lengths[i] = change_.told(0, told.tendon_length(i));
+      out.tensions[i] = change_.told(0, told.tension(i));
+    }
     return out;
   }
 
@@ -70,8 +73,10 @@ class ResponseInSpace {
       this->from_space(weight, item, kind);
     });
     change_.told(0, linear_.told_items().energy()) = weights.energy;
-    for (std::size_t i = 0; i < weights.tendon_lengths.size(); ++i)
-      change_.told(0, linear_.told_items().tendon_length(int(i))) = weights.tendon_lengths[i];
+    for (int i = 0; i < int(weights.tensions.size()); ++i) {
+      change_.told(0, linear_.told_items().tendon_length(i)) = weights.tendon_lengths[i];
+      change_.told(0, linear_.told_items().tension(i)) = weights.tensions[i];
+    }
     linear_.pull(change_, numbers_);
     return flat(numbers_);
   }
@@ -136,6 +141,7 @@ class ResponseInSpace {
     out.reaction_forces.assign(nodes_.size(), Vec3::Zero());
     out.reaction_moments = out.reaction_forces;
     out.tendon_lengths.assign(posed_->network().tendons.size(), 0.);
+    out.tensions = out.tendon_lengths;
     return out;
   }
 

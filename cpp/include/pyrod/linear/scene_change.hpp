@@ -32,7 +32,7 @@ struct RodChange {
 struct SceneChange {
   std::vector<RodChange> rods;
   std::vector<Vec3> reaction_forces, reaction_moments;
-  std::vector<double> tendon_lengths;  ///< in the order of the actuators
+  std::vector<double> tendon_lengths, tensions;  ///< in the order of the actuators
   double energy = 0;
 };
 

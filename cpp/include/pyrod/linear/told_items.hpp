@@ -34,7 +34,8 @@ class ToldItems {
   int reaction_moment(int v) const { return reaction_force(nodes_) + v; }
   int energy() const { return reaction_moment(nodes_); }
   int tendon_length(int tendon) const { return energy() + 1 + tendon; }
-  int count() const { return tendon_length(tendons_); }
+  int tension(int tendon) const { return tendon_length(tendons_) + tendon; }
+  int count() const { return tension(tendons_); }
 
  private:
   int edges_, nodes_, tendons_;

@@ -39,12 +39,13 @@ class ToldMaps {
         numbers_(layout),
         told_(layout),
         attached_(layout),
-        terms_(net_),
+        terms_(CellTerms<Space>(net_).at_state(x)),
         unknown_(told_.count(), false) {
     Cells<Space>(layout, x).for_each([&](const auto& cell) { tell(cell); });
     for (int e = 0; e < layout.edges(); ++e) tell_edge(e);
     for (int rod = 0; rod < int(net_.rods.size()); ++rod) tell_rod(rod);
     for (int v = 0; v < int(net_.nodes.size()); ++v) tell_node(v);
+    for (int i = 0; i < int(net_.tendons.size()); ++i) add_tension(told_.tension(i), i, Mat<1>(1));
   }
 
   const ItemMap<Space>& of_state() const { return of_state_; }
@@ -65,8 +66,17 @@ class ToldMaps {
     of_numbers_.add(to, c.stiffness, Block(of * T * c.strain().asDiagonal()));
     of_numbers_.add(to, c.rest, Block(-of * T * c.k.asDiagonal()));
     terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
-      of_numbers_.add(to, numbers_.tension(i), Spin<Space>(of * T * length.slope));
+      add_tension(to, i, Spin<Space>(of * T * length.slope));
     });
+  }
+
+  /// Of a tension, which is a number or a part of the state.
+  template <class Change>
+  void add_tension(int to, int tendon, const Change& change) {
+    if (layout_.tendon_block(tendon) < 0)
+      of_numbers_.add(to, numbers_.tendon(tendon), change);
+    else
+      of_state_.add(to, state_.tendon(tendon), change);
   }
 
   void tell_tendons(const CellOfNetwork<Space>& c) {
@@ -251,8 +261,8 @@ class ToldMaps {
     of_numbers_.add(to, numbers_.end_stiffness(rod, side), Out(of * end.by_k));
     of_numbers_.add(to, numbers_.end_rest(rod, side), Out(sign * of * end.by_rest));
     for (const auto& [i, slope] : end.tendons)
-      of_numbers_.add(to, numbers_.tension(i),
-                      Eigen::Matrix<double, A::RowsAtCompileTime, 1>(-of * end.by_total * slope));
+      add_tension(to, i,
+                  Eigen::Matrix<double, A::RowsAtCompileTime, 1>(-of * end.by_total * slope));
     if (end.follows) {
       of_numbers_.add(to, numbers_.end_following(rod), Out(of * end.by_moment));
       return;

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,8 +57,10 @@ inline std::vector<double> slope_weights(double x, const double* at, int count) 
 class RoutedTendon {
  public:
   int rod, first, last;
-  double tension;
-  std::vector<int> kinks;  ///< inner vertices, in order
+  double tension;                ///< of one of given length, whose tension is found: zero
+  std::optional<double> length;  ///< without tension, if that is given
+  double softness = 0;           ///< its strain, by its tension [1/N]
+  std::vector<int> kinks;        ///< inner vertices, in order
 
   RoutedTendon(int on, int from, int to, double force, std::vector<int> kinked,
                std::shared_ptr<const Routing> routing, const Grid& grid)
@@ -75,8 +78,13 @@ class RoutedTendon {
   RoutedTendon on(const Grid& grid, const Vertex& vertex) const {
     std::vector<int> kinked;
     for (const int j : kinks) kinked.push_back(vertex(j));
-    return {rod, vertex(first), vertex(last), tension, std::move(kinked), routing_, grid};
+    RoutedTendon out(rod, vertex(first), vertex(last), tension, std::move(kinked), routing_, grid);
+    out.length = length, out.softness = softness;
+    return out;
   }
+
+  /// Of one of given length.
+  double length_under(double force) const { return *length * (1 + softness * force); }
 
   bool covers(int vertex, CellKind kind) const {
     return (vertex > first || (vertex == first && kind == CellKind::behind)) &&

@@ -144,12 +144,31 @@ struct Network {
                 tendon.last <= rod.edges(),
             "tendons[", i, "]: expected two vertices of an open rod, in their order, got ",
             tendon.first, " and ", tendon.last);
+    check_length(tendon, i);
     require(std::isfinite(tendon.tension) && tendon.tension >= 0, "tendons[", i,
             "].tension: must be finite and not negative, got ", tendon.tension);
     for (const auto& C : rod.stretching)
       require(C.array().isInf().all(), "tendons[", i, "]: rod ", tendon.rod,
               " stretches or shears, and tendons need one that keeps its length; choose the "
               "inextensible model");
+  }
+
+  /// The end of one of given length must be held, or feel no moment: its half cell would change
+  /// with the tension as well as with the moment.
+  void check_length(const RoutedTendon& tendon, std::size_t i) const {
+    if (!tendon.length) return;
+    require(std::isfinite(*tendon.length) && *tendon.length > 0, "tendons[", i,
+            "].length: must be positive and finite, got ", *tendon.length);
+    require(std::isfinite(tendon.softness) && tendon.softness >= 0, "tendons[", i,
+            "]: its stiffness must be positive");
+    require(tendon.largest_offset() > 0, "tendons[", i,
+            "]: one on the axis of a rod that keeps its length has that length; give its tension");
+    const auto& on = loads[std::size_t(tendon.rod)];
+    require(
+        on.start_moment.isZero(0) && on.end_moment.isZero(0) && on.follower_end_moment.isZero(0),
+        "tendons[", i,
+        "]: beside one of given length no moment may act on an end of its rod; give its "
+        "tension");
   }
 
   static void check_attachment(const Attachment<Space>& a) {

@@ -90,13 +90,11 @@ RoutedTendon routed(const Tendon& tendon, const Grid& grid, const Vertex& vertex
           throw InvalidArgument("offset: a list has no meaning without the rod's vertices");
       },
       tendon.offset);
-  return {tendon.rod,
-          first,
-          last,
-          tendon.tension,
-          std::move(kinks),
-          std::make_shared<const Routing>(routing),
-          grid};
+  RoutedTendon out(tendon.rod, first, last, tendon.tension.value_or(0), std::move(kinks),
+                   std::make_shared<const Routing>(routing), grid);
+  out.length = tendon.length;
+  out.softness = tendon.EA ? 1 / *tendon.EA : 0;
+  return out;
 }
 
 }  // namespace pyrod

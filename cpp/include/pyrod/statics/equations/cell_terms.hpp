@@ -11,6 +11,7 @@
 #include <pyrod/rod/turn_potential.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
+#include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,12 +28,24 @@ class CellTerms {
   explicit CellTerms(const Network<Space>& network) : net_(network) {
     if (net_.tendons.empty()) return;
     on_.resize(net_.rods.size());
+    for (const auto& tendon : net_.tendons) tensions_.push_back(tendon.tension);
     for (int i = 0; i < int(net_.tendons.size()); ++i)
       on_[std::size_t(net_.tendons[std::size_t(i)].rod)].push_back(i);
   }
 
   /// Lets only a part of them act.
-  void load(double part) { part_ = part; }
+  void load(double part) {
+    for (std::size_t i = 0; i < tensions_.size(); ++i)
+      tensions_[i] = part * net_.tendons[i].tension;
+  }
+  /// The same with the tensions that are found as they are at x.
+  CellTerms at_state(const NetworkState<Space>& x) const {
+    CellTerms out = *this;
+    for (std::size_t i = 0; i < std::min(tensions_.size(), x.tensions.size()); ++i)
+      if (net_.tendons[i].length) out.tensions_[i] = x.tensions[i];
+    return out;
+  }
+  double tension(int tendon) const { return tensions_[std::size_t(tendon)]; }
 
   bool none() const { return on_.empty(); }
   bool none(int rod) const { return none() || on_[std::size_t(rod)].empty(); }
@@ -51,8 +64,7 @@ class CellTerms {
     for (const int i : on_[std::size_t(rod)]) {
       const auto& tendon = net_.tendons[std::size_t(i)];
       if (tendon.covers(j, kind))
-        visit(i, part_ * tendon.tension,
-              tendon_length(tendon.template cell<Space>(grid, j, kind), u));
+        visit(i, tension(i), tendon_length(tendon.template cell<Space>(grid, j, kind), u));
     }
   }
 
@@ -99,15 +111,14 @@ class CellTerms {
     for (const int i : on_[std::size_t(rod)]) {
       const auto& tendon = net_.tendons[std::size_t(i)];
       if (tendon.covers(j, side))
-        visit(i, part_ * tendon.tension,
-              tendon_length(tendon.template at_vertex<Space>(grid, j, side), K));
+        visit(i, tension(i), tendon_length(tendon.template at_vertex<Space>(grid, j, side), K));
     }
   }
 
  private:
   const Network<Space>& net_;
   std::vector<std::vector<int>> on_;  ///< tendons of each rod; none: there are no tendons
-  double part_ = 1;
+  std::vector<double> tensions_;
 };
 
 }  // namespace pyrod

@@ -81,6 +81,15 @@ class NetworkCells {
     out.hessian.add(q, v, Mat<spin>(mixed * turns));
   }
 
+  /// The rod's own frame at the node turns by Eᵀ φ if the node turns by φ, E leading from the one
+  /// to the other.
+  Mat<spin> own_turns(const State& x, const Attachment<Space>& a) const {
+    const Rotation back = held_frame(x, a).conjugate() * x.node_frames[a.node];
+    Mat<spin> out = padded(net_.nodes[a.node].turns);
+    for (int i = 0; i < spin; ++i) out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
+    return out;
+  }
+
  private:
   /// Number by number: g++ takes what Eigen makes of it for uninitialised.
   static Mat<spin> transposed(const Mat<spin>& m) {
@@ -131,15 +140,6 @@ class NetworkCells {
     Spin<Space> coupling = Hb;
     if constexpr (kind == Hessian::exact) coupling += spin_skew(b) * g / 2;
     out.hessian.add(w, v, Eigen::Matrix<double, 1, spin>(coupling.transpose() * turns));
-  }
-
-  /// The rod's own frame at the node turns by Eᵀ φ if the node turns by φ, E leading from the one
-  /// to the other.
-  Mat<spin> own_turns(const State& x, const Attachment<Space>& a) const {
-    const Rotation back = held_frame(x, a).conjugate() * x.node_frames[a.node];
-    Mat<spin> out = padded(net_.nodes[a.node].turns);
-    for (int i = 0; i < spin; ++i) out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
-    return out;
   }
 
   const Layout<Space>& layout_;

@@ -58,7 +58,8 @@ class NetworkProblem {
     return loads_.sections(x, now);
   }
   /// What acts in cells besides the diagonal law.
-  const CellTerms<Space>& terms() const { return terms_; }
+  CellTerms<Space> terms(const State& x) const { return terms_.at_state(x); }
+  bool has_terms() const { return !terms_.none(); }
   /// The diagonal of the compliance of an edge.
   Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }
 
@@ -99,7 +100,7 @@ class NetworkProblem {
     const NetworkCells<Space> cells(layout_);
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       for (const auto& a : layout_.attached(rod)) cells.template add<kind>(x, a, out);
-    if (!terms_.none()) NetworkTerms<Space>(layout_, terms_).template add<kind>(x, out);
+    if (has_terms()) NetworkTerms<Space>(layout_, terms(x)).template add<kind>(x, out);
     for (int v = 0; v < int(net_.nodes.size()); ++v) add_node<kind>(x, now, v, out);
     for (const auto& [edge, m] : loads_.edge_moments())
       add_moment(x.frames[edge], m, layout_.frame_row(edge), out);
@@ -210,6 +211,12 @@ void NetworkProblem<Space>::move(const State& x, const Vector& δ, State& out) c
   }
   for (int i = 0; i < layout_.hinges(); ++i)
     out.hinge_angles[i] += δ[layout_.row(layout_.hinge_block(i))];
+  out.tensions = x.tensions, out.slack = x.slack;
+  for (int i = 0; i < int(net_.tendons.size()); ++i)
+    if (const int b = layout_.tendon_block(i); b >= 0) {
+      out.tensions.resize(net_.tendons.size());
+      out.tensions[std::size_t(i)] += layout_.unit_tension(i) * δ[layout_.row(b)];
+    }
   for (int v = 0; v < int(net_.nodes.size()); ++v) {
     const auto& node = net_.nodes[v];
     if (const int b = layout_.turn_block(v); b >= 0)

@@ -10,6 +10,7 @@
 #include <pyrod/scene/network.hpp>
 #include <pyrod/statics/equations/cell_terms.hpp>
 #include <pyrod/statics/equations/network_cells.hpp>
+#include <pyrod/statics/equations/tendon_rows.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
@@ -57,23 +58,39 @@ class NetworkTerms {
   /// Adds to rows that are there.
   template <Hessian kind>
   void add(const NetworkState<Space>& x, typename NetworkCells<Space>::Storage& out) const {
+    TendonRows<Space> rows(layout_, terms_, x, out);
     for (int rod = 0; rod < int(layout_.network().rods.size()); ++rod) {
       if (terms_.none(rod)) continue;
       for_each_cell(layout_, rod, [&](int j, CellKind of, const Attachment<Space>* a) {
-        if (terms_.none(rod, j, of)) return;
-        const Spin<Space> u = turn_of_cell(layout_, x, rod, j, of, a);
-        const auto jet = turn_potential<kind>(u, terms_.at(rod, j, of, u));
-        const bool before = of == CellKind::before;
-        const int e = layout_.edge(rod, before ? j - 1 : j);
-        if (of == CellKind::whole)
-          cells_.put_turn(jet, e - 1, e, out);
-        else
-          cells_.template put_half<kind>(jet, x, *a, e, before, out);
+        if (!terms_.none(rod, j, of)) add_cell<kind>(x, rod, j, of, a, rows, out);
       });
     }
+    rows.finish();
   }
 
  private:
+  template <Hessian kind>
+  void add_cell(const NetworkState<Space>& x, int rod, int j, CellKind of,
+                const Attachment<Space>* a, TendonRows<Space>& rows,
+                typename NetworkCells<Space>::Storage& out) const {
+    const Spin<Space> u = turn_of_cell(layout_, x, rod, j, of, a);
+    const auto jet = turn_potential<kind>(u, terms_.at(rod, j, of, u));
+    const bool whole = of == CellKind::whole, before = of == CellKind::before;
+    const int e = layout_.edge(rod, before ? j - 1 : j);
+    if (whole)
+      cells_.put_turn(jet, e - 1, e, out);
+    else
+      cells_.template put_half<kind>(jet, x, *a, e, before, out);
+    terms_.for_each_tendon(rod, j, of, u, [&](int i, double, const auto& tendon) {
+      if (!rows.holds(i)) return;
+      const Mat<Space::spin> T = typename Space::Differential(u).T();
+      if (whole)
+        rows.put_turn(i, tendon.slope, T, tendon.length, e - 1, e);
+      else
+        rows.put_half(i, tendon.slope, T, tendon.length, *a, e, before);
+    });
+  }
+
   const Layout<Space>& layout_;
   const CellTerms<Space>& terms_;
   NetworkCells<Space> cells_;

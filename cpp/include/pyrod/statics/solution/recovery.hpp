@@ -42,7 +42,7 @@ class Recovery {
       : problem_(problem),
         layout_(problem.layout()),
         net_(layout_.network()),
-        terms_(problem.terms()),
+        terms_(problem.terms(x)),
         x_(x),
         acting_(problem.acting(x, changed_)),
         sections_(problem.sections(x, acting_)),
@@ -110,6 +110,7 @@ class Recovery {
       terms_.for_each_tendon(rod, j, kind, u, [&](int i, double T, const auto& length) {
         auto& tendon = tendons_[std::size_t(i)];
         tendon.tension = T, tendon.length += length.length;
+        tendon.slack = TendonRows<Space>::is_slack(x_, i);
       });
     };
     for_each_cell(layout_, rod, [&](int j, CellKind kind, const Attachment<Space>* a) {
@@ -247,7 +248,7 @@ class Recovery {
   const NetworkProblem<Space>& problem_;
   const Layout<Space>& layout_;
   const Network<Space>& net_;
-  const CellTerms<Space>& terms_;
+  CellTerms<Space> terms_;
   const NetworkState<Space>& x_;
   typename NetworkProblem<Space>::Acting changed_;
   const typename NetworkProblem<Space>::Acting& acting_;

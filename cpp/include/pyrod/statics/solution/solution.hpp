@@ -38,6 +38,7 @@ struct Course {
 template <class Space>
 struct TendonSolution {
   double tension = 0, length = 0;
+  bool slack = false;                                 ///< longer than its way, of given length
   Point<Space> force_on_base = Point<Space>::Zero();  ///< what it exerts where it begins
 };
 
@@ -61,8 +62,8 @@ Solution<Spatial> placed(Solution<Space>&& local, const Placement<Spatial>& at) 
                          rotate(at.frame, embed(v.reaction_force)), at.frame * embed(v.frame),
                          rotate(at.frame, embed_spin(v.reaction_moment))});
   for (const auto& tendon : local.tendons)
-    out.tendons.push_back(
-        {tendon.tension, tendon.length, Vec3(rotate(at.frame, embed(tendon.force_on_base)))});
+    out.tendons.push_back({tendon.tension, tendon.length, tendon.slack,
+                           Vec3(rotate(at.frame, embed(tendon.force_on_base)))});
   out.mode.reserve(local.mode.size());
   for (const auto& φ : local.mode) out.mode.push_back(embed_spin(φ));
   return out;

@@ -19,6 +19,7 @@
 #include <pyrod/statics/solution/uncertainty.hpp>
 #include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/solving/posed.hpp>
+#include <pyrod/statics/solving/slack_tendons.hpp>
 #include <pyrod/statics/start/false_shapes.hpp>
 #include <pyrod/statics/start/moving_supports.hpp>
 #include <pyrod/statics/start/start.hpp>
@@ -85,6 +86,7 @@ class GridSolve {
     else if (resort && !search_.converged() && !search_.interrupted())
       bring_on_loads(start), look_there();
     if (open && !estimate && search_.converged()) untie_false_shapes();
+    settle_tendons();
     finish();
   }
 
@@ -126,6 +128,16 @@ class GridSolve {
   /// Where another solver than `newton_` has led to, or from where that went astray.
   void look_there() {
     if (search_.converged()) newton_.look_at(search_.state);
+  }
+
+  /// Tendons of given length do not push: those that would are slack, until they are too short
+  /// again.
+  void settle_tendons() {
+    const int most = 2 * int(layout_.network().tendons.size()) + 4;
+    for (int i = 0; search_.converged() && settle(problem_, search_.state); ++i) {
+      search_.keep(newton_.solve(search_.state, Hessian::exact));
+      if (i == most && search_.converged()) search_.found.status = Status::stalled;
+    }
   }
 
   void untie_false_shapes() {
