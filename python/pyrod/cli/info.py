@@ -69,7 +69,7 @@ def _describe(file: Path, output: Output) -> int:
     for load in held.loads:
         output.text(f"  {type(load).__name__}" + (" that follows" if load.follower else ""))
     for actuator in held.actuators:
-        output.text(f"  {type(actuator).__name__}, {actuator.tension:g} N")
+        output.text(f"  {type(actuator).__name__}, {actuator.given}")
     output.result(
         {
             "kind": "scene",

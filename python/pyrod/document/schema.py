@@ -187,6 +187,8 @@ ACTUATORS = OneOf(
             Tendon,
             offset=Numbers(u.LENGTH, ((2,), (None, 2))),
             tension=Number(u.FORCE),
+            length=Number(u.LENGTH),
+            EA=Number(u.FORCE),
             start=Number(u.LENGTH),
             end=Number(u.LENGTH),
             rod=RodNumber(),

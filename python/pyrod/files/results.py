@@ -49,7 +49,7 @@ def taken_apart(result: Equilibrium) -> Parts:
         arrays |= {f"reactions/{number}/{k}": v for k, v in reaction._asdict().items()}
     for number, tendon in enumerate(result.tendons):
         arrays[f"tendons/{number}"] = np.array(
-            [tendon.tension, tendon.length, *tendon.force_on_base]
+            [tendon.tension, tendon.length, *tendon.force_on_base, tendon.slack]
         )
     if result.mode is not None:
         arrays["mode"] = result.mode
@@ -91,6 +91,9 @@ def _rods(
     out = []
     sums = zip(scene.rods, head["energies"], head["largest"], strict=True)
     for number, (rod, energy, largest) in enumerate(sums):
+        bare = arrays.get(f"rods/{number}/vertex_force")  # files from before there were tendons
+        if bare is not None:
+            arrays.setdefault(f"rods/{number}/backbone_force", bare)
         values: dict[str, Any] = {
             name: _of_shape(arrays, f"rods/{number}/{name}", _shape(name, rod.edges))
             for name in _ROD_ARRAYS
@@ -114,8 +117,8 @@ def _reaction(number: int, arrays: dict[str, np.ndarray]) -> Reaction:
 
 
 def _tendon(number: int, arrays: dict[str, np.ndarray]) -> TendonEquilibrium:
-    tension, length, *force = _of_shape(arrays, f"tendons/{number}", (5,))
-    return TendonEquilibrium(float(tension), float(length), np.array(force))
+    tension, length, *force, slack = _of_shape(arrays, f"tendons/{number}", (6,))
+    return TendonEquilibrium(float(tension), float(length), np.array(force), bool(slack))
 
 
 def _of_shape(arrays: dict[str, np.ndarray], name: str, shape: tuple[int, ...]) -> np.ndarray:

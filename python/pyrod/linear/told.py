@@ -57,13 +57,14 @@ def resolved(scene: Scene, name: str) -> tuple[str, int | None]:
                 return whole, None
         if kind == "reactions" and int(number) < len(scene.supports) and what in _REACTION:
             return whole, None
-        if kind == "tendons" and int(number) < len(scene.actuators) and what == "length":
+        if kind == "tendons" and int(number) < len(scene.actuators) and what in _TENDON:
             return whole, None
     known = [*OF_RODS, *ENDS, "energy", "reactions.0.force", "reactions.0.moment"]
     raise ValueError(f"output: there is no {shortly(name)}; there are {listed(known)}")
 
 
 _REACTION = ("force", "moment")
+_TENDON = ("length", "tension")
 
 
 def weights_of(scene: Scene, given: Mapping[str, Any], shapes: Mapping[str, Any]) -> dict[str, Any]:

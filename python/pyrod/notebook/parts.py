@@ -154,7 +154,7 @@ def load_rows(scene: Scene) -> list[Row]:
 def actuator_rows(scene: Scene) -> list[Row]:
     """What drives the rods."""
     return [
-        Row(f"tendon {i}", f"{tendon.tension:.6g}, rod {tendon.rod}", "N")
+        Row(f"tendon {i}", f"{tendon.given}, rod {tendon.rod}")
         for i, tendon in enumerate(scene.actuators)
     ]
 

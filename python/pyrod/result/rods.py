@@ -27,6 +27,7 @@ class TendonEquilibrium(NamedTuple):
     length: float  #: along its way [m]
     force_on_base: Array
     """(3,) what it exerts where it begins, in space [N]: there it is held, or pulled."""
+    slack: bool = False  #: of given length, and longer than its way, which ``length`` is
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -26,10 +26,11 @@ class Actuator(Part):
 
 @dataclass(frozen=True, eq=False)
 class Tendon(Actuator):
-    """A string along a rod that is pulled with a given tension.
+    """A string along a rod, of given tension or of given length.
 
-    It runs at an offset in the sections of the rod, without friction; its end is anchored there,
-    and at its start it is pulled. The rod must keep its length (the inextensible model).
+    It runs at an offset in the sections of the rod, without friction. Its end is anchored; at its
+    start it is pulled with a tension, or held so that it has a length. The rod must keep its length
+    (the inextensible model).
 
     Parameters
     ----------
@@ -38,6 +39,11 @@ class Tendon(Actuator):
         rod, straight between these in the rod's own frames, or a function of arc length.
     tension : float [N]
         Positive.
+    length : float [m]
+        In its place: what it is long without tension. Then the tension is found; a tendon that
+        would have to push is slack, and bears nothing.
+    EA : float [N]
+        With a length: its stiffness, by which it stretches; default: it does not.
     start, end : float [m]
         Arc lengths; default: the ends of the rod.
     rod : int
@@ -45,17 +51,23 @@ class Tendon(Actuator):
     """
 
     offset: Offset
-    tension: float
+    tension: float | None = None
+    length: float | None = None
+    EA: float | None = None
     start: float | None = None
     end: float | None = None
     rod: int = 0
     _kind = _core.Tendon
 
     def __post_init__(self) -> None:
-        tension = number(self.tension, "tension")
-        if not (isfinite(tension) and tension > 0):
-            raise ValueError(f"tension: must be positive and finite, got {tension:g}")
-        self._set(tension=tension, rod=whole(self.rod, "rod"))
+        if (self.tension is None) == (self.length is None):
+            raise ValueError("tension: give a tendon its tension or its length")
+        for name in ("tension", "length", "EA"):
+            if getattr(self, name) is not None:
+                self.__dict__[name] = _positive(getattr(self, name), name)
+        if self.EA is not None and self.length is None:
+            raise ValueError("EA: goes with the length of a tendon, not with its tension")
+        self._set(rod=whole(self.rod, "rod"))
         for name in ("start", "end"):
             place = getattr(self, name)
             if place is not None:
@@ -68,6 +80,13 @@ class Tendon(Actuator):
         if callable(offset):
             return [lambda s: _pair(offset(s)), *others]
         return [offset, *others]
+
+    @property
+    def given(self) -> str:
+        """The tension, or the length, in words."""
+        if self.tension is not None:
+            return f"{self.tension:.6g} N"
+        return f"{self.length:.6g} m long"
 
     def offsets(self, s: Array) -> Array:
         """(len(s), 2) at these arc lengths; of one per vertex, at as many vertices."""
@@ -134,6 +153,13 @@ class _Table:
             np.prod(np.delete(off, i)) / np.prod(np.delete(at[i] - at, i)) for i in range(count)
         ]
         return np.array(weights) @ values
+
+
+def _positive(value: Any, name: str) -> float:
+    made = number(value, name)
+    if not (isfinite(made) and made > 0):
+        raise ValueError(f"{name}: must be positive and finite, got {made:g}")
+    return made
 
 
 def _arc_length(value: Any, name: str) -> float:

@@ -21,6 +21,10 @@ def helix(s):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
+        ({"length": 1}, "give a tendon its tension or its length"),
+        ({"tension": None}, "give a tendon its tension or its length"),
+        ({"EA": 10}, "EA: goes with the length"),
+        ({"tension": None, "length": -1}, "length: must be positive"),
         ({"tension": 0}, "tension: must be positive and finite"),
         ({"tension": -1}, "tension: must be positive and finite"),
         ({"tension": np.inf}, "tension: must be positive and finite"),
@@ -148,7 +152,7 @@ def test_solvers_take_other_tensions_and_places():
 
 @pytest.mark.parametrize("offset", [(0.1, 0.02), np.full((9, 2), 0.05), helix])
 def test_scenes_can_be_kept(offset, tmp_path):
-    scene = Scene(ROD, Clamp(), Force((0, 0.1, 0)), actuators=Tendon(offset, 2, 0.1, 0.9))
+    scene = Scene(ROD, Clamp(), Force((0, 0.1, 0)), actuators=Tendon(offset, 2, start=0.1, end=0.9))
     result = pyrod.solve(scene)
     again = pickle.loads(pickle.dumps(scene))
     assert np.abs(pyrod.solve(again).positions - result.positions).max() < 1e-11

@@ -152,6 +152,9 @@ class NetworkScales {
       softness_.segment(layout_.row(span.block), layout_.sizes()[span.block])
           .setConstant(gives ? 0 : 1e-10 * unit);
     }
+    for_each_tendon_row([&](int k, int i) {  // several that do not stretch may hold the same
+      if (net_.tendons[i].softness == 0) softness_[k] = 1e-10 * units_[k];
+    });
     stiffest_.assign(net_.rods.size(), 0);
     for (std::size_t i = 0; i < net_.rods.size(); ++i)
       for (int j = 0; j < int(net_.rods[i].bending.size()); ++j)

@@ -148,8 +148,10 @@ class GridSolve {
   }
 
   void finish() {
-    for (int i = 0; i < 6 && more_.stable && search_.converged() && search_.found.index > 0; ++i)
+    for (int i = 0; i < 6 && more_.stable && search_.converged() && search_.found.index > 0; ++i) {
       if (!descend()) break;
+      settle_tendons();
+    }
     auto& found = search_.found;
     found.fill = newton_.fill();
     found.unknowns = layout_.unknowns();
