@@ -214,6 +214,9 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
             moments += [np.cross(at, reaction.force), reaction.moment]
         force = _sum_of_lengths(forces) + max(longest(rod.force) for rod in self.rods)
         moment = _sum_of_lengths(moments) + max(longest(rod.moment) for rod in self.rods)
+        if self.tendons:  # sums may be nothing beside their parts
+            force += max(longest(rod.backbone_force) for rod in self.rods)
+            moment += max(longest(rod.material_moment) for rod in self.rods)
         length = max(rod.rod.length for rod in self.rods)
         return (
             _sum_of_lengths([np.sum(forces, axis=0)]) / (force or 1.0),

@@ -3,6 +3,7 @@
 #include <pyrod/curve/cosserat.hpp>
 #include <pyrod/rod/moment_law.hpp>
 #include <pyrod/rod/routed_tendon.hpp>
+#include <pyrod/rod/tension.hpp>
 #include <pyrod/rod/turn_potential.hpp>
 
 #include "support/dense.hpp"

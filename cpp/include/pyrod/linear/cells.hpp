@@ -75,7 +75,7 @@ class Cells {
         state_(layout),
         numbers_(layout),
         attached_(layout),
-        terms_(CellTerms<Space>(net_).at_state(x)) {}
+        terms_(CellTerms<Space>(net_).under(x.tensions)) {}
 
   const CellTerms<Space>& terms() const { return terms_; }
 

@@ -7,7 +7,7 @@
 #include <pyrod/linear/items.hpp>
 #include <pyrod/rod/cell_kind.hpp>
 #include <pyrod/rod/rod.hpp>
-#include <pyrod/rod/tendon_cell.hpp>
+#include <pyrod/rod/tension.hpp>
 #include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/loads.hpp>

@@ -39,7 +39,7 @@ class ToldMaps {
         numbers_(layout),
         told_(layout),
         attached_(layout),
-        terms_(CellTerms<Space>(net_).at_state(x)),
+        terms_(CellTerms<Space>(net_).under(x.tensions)),
         unknown_(told_.count(), false) {
     Cells<Space>(layout, x).for_each([&](const auto& cell) { tell(cell); });
     for (int e = 0; e < layout.edges(); ++e) tell_edge(e);

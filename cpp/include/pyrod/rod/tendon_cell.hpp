@@ -3,7 +3,6 @@
 #pragma once
 
 #include <pyrod/core/types.hpp>
-#include <pyrod/rod/turn_potential.hpp>
 #include <pyrod/rotation/planar.hpp>
 #include <pyrod/rotation/space.hpp>
 
@@ -16,7 +15,7 @@ struct TendonCell {
   Point<Space> lever;  ///< d̄, of the middle of the cell
 };
 
-/// The length ℓ = |v| as a function of the turn, and its direction t = v/ℓ.
+/// The length ℓ = |v| as a function of the turn, theory (33), and its direction t = v/ℓ.
 template <class Space>
 struct TendonLength {
   double length;
@@ -28,7 +27,7 @@ struct TendonLength {
 inline Vec3 levered(const Vec3& u, const Vec3& lever) { return u.cross(lever); }
 inline Vec2 levered(const Vec1& u, const Vec2& lever) { return u[0] * Vec2(lever[1], -lever[0]); }
 
-/// Of v = along + u × lever: theory (34).
+/// With its derivatives.
 template <class Space>
 TendonLength<Space> tendon_length(const TendonCell<Space>& cell, const Spin<Space>& u) {
   const Point<Space> v = cell.along + levered(u, cell.lever);
@@ -43,14 +42,6 @@ TendonLength<Space> tendon_length(const TendonCell<Space>& cell, const Spin<Spac
           levered(Spin<Space>(Spin<Space>::Unit(j)), cell.lever).dot(across) / length;
   }
   return out;
-}
-
-/// Adds the work of a tension.
-template <class Space>
-void add_tension(double tension, const TendonLength<Space>& of, TurnPotential<Space>& to) {
-  to.energy += tension * of.length;
-  to.m += tension * of.slope;
-  to.k += tension * of.curvature;
 }
 
 }  // namespace pyrod

@@ -118,6 +118,9 @@ class Equilibrium {
       moment.add(r.load_moment);
       for (const auto& n : r.force) most_force = std::max(most_force, n.norm());
       for (const auto& m : r.moment) most_moment = std::max(most_moment, m.norm());
+      if (r.backbone_force.empty()) continue;  // else sums may be nothing beside their parts
+      for (const auto& n : r.backbone_force) most_force = std::max(most_force, n.norm());
+      for (const auto& m : r.material_moment) most_moment = std::max(most_moment, m.norm());
     }
     for (std::size_t i = 0; i < reactions().size(); ++i) {
       force.add(reactions()[i].force);

@@ -8,10 +8,10 @@
 #include <pyrod/rod/cell_kind.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rod/tendon_cell.hpp>
+#include <pyrod/rod/tension.hpp>
 #include <pyrod/rod/turn_potential.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
-#include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,11 +38,11 @@ class CellTerms {
     for (std::size_t i = 0; i < tensions_.size(); ++i)
       tensions_[i] = part * net_.tendons[i].tension;
   }
-  /// The same with the tensions that are found as they are at x.
-  CellTerms at_state(const NetworkState<Space>& x) const {
+  /// The same with the tensions that are found as they are; none: zero.
+  CellTerms under(const std::vector<double>& tensions) const {
     CellTerms out = *this;
-    for (std::size_t i = 0; i < std::min(tensions_.size(), x.tensions.size()); ++i)
-      if (net_.tendons[i].length) out.tensions_[i] = x.tensions[i];
+    for (std::size_t i = 0; i < std::min(tensions_.size(), tensions.size()); ++i)
+      if (net_.tendons[i].length) out.tensions_[i] = tensions[i];
     return out;
   }
   double tension(int tendon) const { return tensions_[std::size_t(tendon)]; }

@@ -73,21 +73,13 @@ class NetworkCells {
     const Spin<Space>& g = before ? jet.b : jet.a;
     const Mat<spin>& H = before ? jet.bb : jet.aa;
     const Mat<spin> mixed = before ? jet.ab : transposed(jet.ab);  // edge × node
-    const Mat<spin> turns = own_turns(x, a);  // of the held frame, per unknown of the node
+    const Mat<spin> turns =
+        own_turns<Space>(net_, x, a);  // of the held frame, per unknown of the node
     if (a.hinge) add_hinge<kind>(a, g, H, mixed, turns, q, v, out);
     if (v < 0) return;
     add_to_rows(layout_, v, Spin<Space>(turns.transpose() * g), out);
     out.hessian.add_diagonal(v, Mat<spin>(turns.transpose() * H * turns));
     out.hessian.add(q, v, Mat<spin>(mixed * turns));
-  }
-
-  /// The rod's own frame at the node turns by Eᵀ φ if the node turns by φ, E leading from the one
-  /// to the other.
-  Mat<spin> own_turns(const State& x, const Attachment<Space>& a) const {
-    const Rotation back = held_frame(x, a).conjugate() * x.node_frames[a.node];
-    Mat<spin> out = padded(net_.nodes[a.node].turns);
-    for (int i = 0; i < spin; ++i) out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
-    return out;
   }
 
  private:

@@ -58,7 +58,7 @@ class NetworkProblem {
     return loads_.sections(x, now);
   }
   /// What acts in cells besides the diagonal law.
-  CellTerms<Space> terms(const State& x) const { return terms_.at_state(x); }
+  CellTerms<Space> terms(const State& x) const { return terms_.under(x.tensions); }
   bool has_terms() const { return !terms_.none(); }
   /// The diagonal of the compliance of an edge.
   Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }

@@ -7,9 +7,10 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
 #include <pyrod/scene/place.hpp>
+#include <pyrod/solve/problem.hpp>
+#include <pyrod/sparse/block_symmetric.hpp>
 #include <pyrod/statics/equations/cell_terms.hpp>
 #include <pyrod/statics/equations/end_turn.hpp>
-#include <pyrod/statics/equations/network_cells.hpp>
 #include <pyrod/statics/equations/network_rows.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
@@ -22,19 +23,19 @@
 
 namespace pyrod {
 
-/// L has the terms T (ℓ − ℓ⁰) − ½ c T², theory (37). Of one that is slack there is −½ T² instead,
+/// L has the terms T (ℓ − ℓ⁰) − ½ c T², theory (36). Of one that is slack there is −½ T² instead,
 /// in its unit, and nothing else.
 template <class Space>
 class TendonRows {
  public:
   static constexpr int spin = Space::spin;
   using State = NetworkState<Space>;
-  using Storage = typename NetworkCells<Space>::Storage;
+  using Storage = Linearisation<BlockSymmetric>;
 
   /// `terms`: at the state.
   TendonRows(const Layout<Space>& layout, const CellTerms<Space>& terms, const State& x,
              Storage& out)
-      : layout_(layout), net_(layout.network()), terms_(terms), cells_(layout), x_(x), out_(out) {}
+      : layout_(layout), net_(layout.network()), terms_(terms), x_(x), out_(out) {}
 
   /// Whether the row of a tendon is that of its length.
   bool holds(int tendon) const {
@@ -59,7 +60,7 @@ class TendonRows {
       put(tendon, layout_.hinge_block(a.hinge_number),
           Vec1(rotate_spin(a.relative.conjugate(), *a.hinge).dot(held)));
     if (const int v = layout_.turn_block(a.node); v >= 0)
-      put(tendon, v, Spin<Space>(cells_.own_turns(x_, a).transpose() * held));
+      put(tendon, v, Spin<Space>(own_turns<Space>(net_, x_, a).transpose() * held));
     row(tendon) += layout_.unit_tension(tendon) * length;
   }
 
@@ -134,7 +135,6 @@ class TendonRows {
   const Layout<Space>& layout_;
   const Network<Space>& net_;
   const CellTerms<Space>& terms_;
-  NetworkCells<Space> cells_;
   const State& x_;
   Storage& out_;
 };

@@ -72,7 +72,7 @@ class Backbone {
                                : sides.bending_behind.cwiseProduct(K - sides.K0_behind);
   }
 
-  /// C (K − K⁰) + Σ T ∂ℓ/∂K = M, theory (36). The left side is the gradient of a convex function.
+  /// C (K − K⁰) + Σ T ∂ℓ/∂K = M, theory (37). The left side is the gradient of a convex function.
   Spin<Space> curvature(int J, CellKind side, const Spin<Space>& M, Spin<Space> K) const {
     const int j = J * stride_;
     const auto sides = rod_.sides(j);
