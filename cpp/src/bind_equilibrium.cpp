@@ -71,6 +71,9 @@ void bind_rod_solution(py::module_& module) {
   vectors("Gamma", [](const S& s) -> const auto& { return s.strains.Γ; });
   vectors("force", [](const S& s) -> const auto& { return s.force; });
   vectors("vertex_force", [](const S& s) -> const auto& { return s.vertex_force; });
+  vectors("backbone_force", [](const S& s) -> const auto& {
+    return s.backbone_force.empty() ? s.vertex_force : s.backbone_force;
+  });
   vectors("material_force", [](const S& s) -> const auto& { return s.material_force; });
   vectors("moment", [](const S& s) -> const auto& { return s.moment; });
   vectors("material_moment", [](const S& s) -> const auto& { return s.material_moment; });
@@ -119,6 +122,17 @@ py::tuple reactions(const Equilibrium& e) {
   return out;
 }
 
+/// Tension, length, what it exerts where it begins, and whether it is slack.
+py::tuple tendons(const Equilibrium& e) {
+  py::tuple out(e.tendons().size());
+  for (std::size_t i = 0; i < e.tendons().size(); ++i) {
+    const auto& tendon = e.tendons()[i];
+    out[i] = py::make_tuple(tendon.tension, tendon.length, copied<Vec3>(tendon.force_on_base),
+                            tendon.slack);
+  }
+  return out;
+}
+
 }  // namespace
 
 void equilibrium(py::module_& module) {
@@ -147,6 +161,7 @@ void equilibrium(py::module_& module) {
           "mode",
           [](const E& e) { return e.mode.empty() ? py::object(py::none()) : copied(e.mode); })
       .def_property_readonly("reactions", &reactions)
+      .def_property_readonly("tendons", &tendons)
       .def_property_readonly("accuracy", &accuracy)
       .def_property_readonly("doubts", &doubts);
 }

@@ -32,6 +32,10 @@ py::dict told(const SceneChange& change) {
     out[py::str(text("reactions.", i, ".moment"))] = array<3>(change.reaction_moments[i]);
   }
   out["multipliers"] = array(change.multipliers);
+  for (std::size_t i = 0; i < change.tensions.size(); ++i) {
+    out[py::str(text("tendons.", i, ".length"))] = change.tendon_lengths[i];
+    out[py::str(text("tendons.", i, ".tension"))] = change.tensions[i];
+  }
   out["energy"] = change.energy;
   return out;
 }
@@ -53,6 +57,13 @@ SceneChange weights(const py::dict& given, SceneChange out) {
     take_one(text("reactions.", i, ".moment"), out.reaction_moments[i]);
   }
   take("multipliers", out.multipliers);
+  const auto take_number = [&](const std::string& name, double& to) {
+    if (given.contains(name.c_str())) to = given[name.c_str()].cast<double>();
+  };
+  for (std::size_t i = 0; i < out.tensions.size(); ++i) {
+    take_number(text("tendons.", i, ".length"), out.tendon_lengths[i]);
+    take_number(text("tendons.", i, ".tension"), out.tensions[i]);
+  }
   if (given.contains("energy")) out.energy = given["energy"].cast<double>();
   return out;
 }

@@ -33,20 +33,36 @@ void read(const py::handle& given, const char* name, bool& out) {
 }
 void read(const py::handle& given, const char*, int& out) { out = given.cast<int>(); }
 void read(const py::handle& given, const char*, double& out) { out = given.cast<double>(); }
-/// (3,), (n, 3) or a function of arc length.
-void read(const py::handle& given, const char* name, Along<Vec3>& out) {
+Vec2 vector2(const Array& a, const char* name) {
+  require(a.ndim() == 1 && a.shape(0) == 2, name, ": expected 2 numbers, got shape ", shape_of(a));
+  const Vec2 v = Eigen::Map<const Vec2>(a.data());
+  require(v.allFinite(), name, ": expected finite numbers, got ", v.transpose());
+  return v;
+}
+Vec<2> vector(const Array& a, const char* name, const Vec2*) { return vector2(a, name); }
+Vec<3> vector(const Array& a, const char* name, const Vec3*) { return vector3(a, name); }
+/// (N,), (n, N) or a function of arc length.
+template <int N>
+void read(const py::handle& given, const char* name, Along<Vec<N>>& out) {
+  constexpr const Vec<N>* kind = nullptr;
   if (PyCallable_Check(given.ptr())) {
     const Function f(py::reinterpret_borrow<py::function>(given));
-    out = [f, name](double s) {
-      return f(s, [name](const py::object& v) { return vector3(v.cast<Array>(), name); });
-    };
+    out = FunctionAlong<Vec<N>>([f, name](double s) {
+      return f(s, [name](const py::object& v) { return vector(v.cast<Array>(), name, kind); });
+    });
     return;
   }
   const auto a = given.cast<Array>();
   if (a.ndim() == 1)
-    out = vector3(a, name);
+    out = vector(a, name, kind);
   else
-    out = vectors<3>(a, name);
+    out = vectors<N>(a, name);
+}
+void read(const py::handle& given, const char* name, Along<Vec2>& out) {
+  read<2>(given, name, out);
+}
+void read(const py::handle& given, const char* name, Along<Vec3>& out) {
+  read<3>(given, name, out);
 }
 template <class T>
 void read(const py::handle& given, const char* name, std::optional<T>& out) {
@@ -98,6 +114,7 @@ Place place(const py::handle& at) {
 void parts(py::module_& module) {
   parts(module, static_cast<const Support*>(nullptr));
   parts(module, static_cast<const Load*>(nullptr));
+  parts(module, static_cast<const Actuator*>(nullptr));
   part<Joint>(module, "Joint");
 }
 

@@ -10,11 +10,12 @@ namespace pyrod::bind {
 namespace {
 
 Solver scene_of(const std::vector<const GivenRod*>& rods, std::vector<Support> supports,
-                std::vector<Joint> joints, std::vector<Load> loads, const std::string& space) {
+                std::vector<Joint> joints, std::vector<Load> loads, std::vector<Actuator> actuators,
+                const std::string& space) {
   std::vector<RodSpec> specs;
   for (const auto* rod : rods) specs.push_back(rod->spec);
   return Solver(Scene(std::move(specs), std::move(supports), std::move(loads), space_of(space),
-                      std::move(joints)));
+                      std::move(joints), std::move(actuators)));
 }
 
 /// Others may find it just now, and ask functions of Python for it: the lock must be free.
@@ -94,7 +95,7 @@ py::tuple level(const Solver& scene, int number) {
 void scene(py::module_& module) {
   py::class_<Solver> type(module, "Scene", "A scene that is ready to be solved.");
   type.def(py::init(&scene_of), py::arg("rods"), py::arg("supports"), py::arg("joints"),
-           py::arg("loads"), py::arg("space"))
+           py::arg("loads"), py::arg("actuators"), py::arg("space"))
       .def(
           "rods",
           [](const Solver& s, const std::vector<const GivenRod*>& given) {

@@ -108,14 +108,12 @@ struct Going {
 };
 
 /// The scene, or that of before, with these parts; from what was found last.
-std::shared_ptr<Equilibrium> solve_changed(Solver& solver, const Solver* given,
-                                           const Changes::Of<const GivenRod*>& rods,
-                                           const Changes::Of<Support>& supports,
-                                           const Changes::Of<Joint>& joints,
-                                           const Changes::Of<Load>& loads, const Options& options,
-                                           bool stable, bool eigenvalue,
-                                           std::optional<double> tol) {
-  Changes changes{{}, supports, joints, loads};
+std::shared_ptr<Equilibrium> solve_changed(
+    Solver& solver, const Solver* given, const Changes::Of<const GivenRod*>& rods,
+    const Changes::Of<Support>& supports, const Changes::Of<Joint>& joints,
+    const Changes::Of<Load>& loads, const Changes::Of<Actuator>& actuators, const Options& options,
+    bool stable, bool eigenvalue, std::optional<double> tol) {
+  Changes changes{{}, supports, joints, loads, actuators};
   for (const auto& [i, rod] : rods) changes.rods.emplace_back(i, rod->spec);
   Settings settings = settings_of(options, tol, stable, eigenvalue);
   settings.trace = python_interrupt();
@@ -244,14 +242,14 @@ void solving(py::module_& module, py::class_<Solver>& scene) {
           "solve",
           [](Going& going, const Solver* scene, const Changes::Of<const GivenRod*>& rods,
              const Changes::Of<Support>& supports, const Changes::Of<Joint>& joints,
-             const Changes::Of<Load>& loads, const Options& options, bool stable, bool eigenvalue,
-             std::optional<double> tol) {
-            return solve_changed(going.solver, scene, rods, supports, joints, loads, options,
-                                 stable, eigenvalue, tol);
+             const Changes::Of<Load>& loads, const Changes::Of<Actuator>& actuators,
+             const Options& options, bool stable, bool eigenvalue, std::optional<double> tol) {
+            return solve_changed(going.solver, scene, rods, supports, joints, loads, actuators,
+                                 options, stable, eigenvalue, tol);
           },
           py::arg("scene").none(true), py::arg("rods"), py::arg("supports"), py::arg("joints"),
-          py::arg("loads"), py::arg("options"), py::arg("stable"), py::arg("eigenvalue"),
-          py::arg("tol"))
+          py::arg("loads"), py::arg("actuators"), py::arg("options"), py::arg("stable"),
+          py::arg("eigenvalue"), py::arg("tol"))
       .def("forget", [](Going& going) { going.solver.forget(); })
       .def(
           "solve_numbers",

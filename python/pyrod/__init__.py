@@ -25,11 +25,12 @@ from pyrod.result.errors import (
     StrainWarning,
     UnstableWarning,
 )
-from pyrod.result.rods import Reaction, RodEquilibrium
+from pyrod.result.rods import Reaction, RodEquilibrium, TendonEquilibrium
 from pyrod.rod.energy import Energy
 from pyrod.rod.outline import Outline
 from pyrod.rod.rod import Rod
 from pyrod.rod.section import Material, Section
+from pyrod.scene.actuators import Tendon
 from pyrod.scene.joints import Joint
 from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
 from pyrod.scene.planarity import Planarity, is_planar
@@ -80,6 +81,8 @@ __all__ = [
     "Spring",
     "StrainWarning",
     "Sweep",
+    "Tendon",
+    "TendonEquilibrium",
     "UnstableWarning",
     "critical_load",
     "curve",

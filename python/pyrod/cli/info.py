@@ -68,6 +68,8 @@ def _describe(file: Path, output: Output) -> int:
         output.text(f"  {joint.kind} joint of {', '.join(map(str, joint.points))}")
     for load in held.loads:
         output.text(f"  {type(load).__name__}" + (" that follows" if load.follower else ""))
+    for actuator in held.actuators:
+        output.text(f"  {type(actuator).__name__}, {actuator.given}")
     output.result(
         {
             "kind": "scene",
@@ -76,6 +78,7 @@ def _describe(file: Path, output: Output) -> int:
             "supports": [type(support).__name__ for support in held.supports],
             "joints": [joint.kind for joint in held.joints],
             "loads": [type(load).__name__ for load in held.loads],
+            "actuators": [type(actuator).__name__ for actuator in held.actuators],
         }
     )
     return 0

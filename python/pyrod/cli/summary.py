@@ -34,6 +34,7 @@ def in_numbers(result: Equilibrium) -> dict[str, Any]:
             {"support": type(support).__name__, "force": r.force, "moment": r.moment}
             for support, r in zip(result.scene.supports, result.reactions, strict=True)
         ],
+        "tendons": [tendon._asdict() for tendon in result.tendons],
     }
 
 
@@ -65,6 +66,8 @@ def lines(result: Equilibrium) -> Iterator[str]:
     for reaction in told["reactions"]:
         force, moment = _vector(reaction["force"]), _vector(reaction["moment"])
         yield f"{reaction['support']:12s} exerts {force} N, {moment} N m"
+    for tendon in result.tendons:
+        yield f"tendon       {tendon.tension:.6g} N, {tendon.length:.8g} m long"
 
 
 def _vector(values: Array) -> str:

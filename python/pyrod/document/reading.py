@@ -119,7 +119,7 @@ def _scene(values: Values, found: Found) -> Scene:
     return scene
 
 
-ACTING = ("supports", "loads", "joints")
+ACTING = ("supports", "loads", "joints", "actuators")
 
 
 def _section(values: Values, materials: dict[str, Material]) -> Section:

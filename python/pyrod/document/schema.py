@@ -23,6 +23,7 @@ from pyrod.document.types import (
 )
 from pyrod.rod.outline import Outline
 from pyrod.rod.section import Material, Model, Section
+from pyrod.scene.actuators import Tendon
 from pyrod.scene.joints import Joint
 from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
 from pyrod.scene.scene import Scene, Space
@@ -178,6 +179,23 @@ JOINT = Form.of(
     axis=_DIRECTION,
 )
 
+ACTUATORS = OneOf(
+    "actuator",
+    {
+        "tendon": Form.of(
+            "tendon",
+            Tendon,
+            offset=Numbers(u.LENGTH, ((2,), (None, 2))),
+            tension=Number(u.FORCE),
+            length=Number(u.LENGTH),
+            EA=Number(u.FORCE),
+            start=Number(u.LENGTH),
+            end=Number(u.LENGTH),
+            rod=RodNumber(),
+        ),
+    },
+)
+
 OPTIONS = {
     name: whole_number() if isinstance(value, int) else Number(u.NONE)
     for name, value in Options().__getstate__().items()
@@ -206,6 +224,7 @@ SCENE = Form(
         "supports": Key(Listed(SUPPORTS)),
         "loads": Key(Listed(LOADS)),
         "joints": Key(Listed(JOINT)),
+        "actuators": Key(Listed(ACTUATORS)),
         "solve": Key(SOLVE),
     },
 )

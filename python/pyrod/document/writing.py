@@ -7,6 +7,7 @@ from typing import Any
 from pyrod.document.rods import written
 from pyrod.document.schema import SCENE, SHAPES, STIFFNESSES
 from pyrod.rod.section import Section
+from pyrod.scene.actuators import polygonal_tendon
 from pyrod.scene.loads import sampled_load
 from pyrod.scene.scene import Scene
 
@@ -14,7 +15,8 @@ from pyrod.scene.scene import Scene
 def write(scene: Scene) -> dict[str, Any]:
     """A scene as dicts, lists, texts and numbers, in SI units; see docs/files.md.
 
-    Functions of arc length are written as the values they have on the edges.
+    Functions of arc length are written as the values they have on the edges, those of tendons as
+    the values at the vertices.
     """
     names = _Sections()
     keys = SCENE.keys
@@ -27,7 +29,13 @@ def write(scene: Scene) -> dict[str, Any]:
     loads = [
         sampled_load(load, scene.rods) if callable(load.acting) else load for load in scene.loads
     ]
-    for name, parts in (("supports", scene.supports), ("loads", loads), ("joints", scene.joints)):
+    actuators = [polygonal_tendon(one, scene.rods) for one in scene.actuators]
+    for name, parts in (
+        ("supports", scene.supports),
+        ("loads", loads),
+        ("joints", scene.joints),
+        ("actuators", actuators),
+    ):
         if parts:
             out[name] = keys[name].type.write(parts)
     return out

@@ -12,13 +12,13 @@ from pyrod.document import read, write
 from pyrod.result.accuracy import Accuracy
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import KINDS
-from pyrod.result.rods import Reaction, RodEquilibrium
+from pyrod.result.rods import Reaction, RodEquilibrium, TendonEquilibrium
 from pyrod.scene.scene import Scene
 
 FORMAT = "pyrod result 1"
 """Told in every file; the number grows when older readers cannot read newer files."""
 
-_ARRAYS = {"record", "mode", "rods", "reactions"}
+_ARRAYS = {"record", "mode", "rods", "reactions", "tendons"}
 _PARTS = {"scene", "accuracy"} | _ARRAYS
 _PLAIN = tuple(f.name for f in fields(Equilibrium) if f.name not in _PARTS)
 _ROD = tuple(f.name for f in fields(RodEquilibrium) if f.name != "rod")
@@ -47,6 +47,10 @@ def taken_apart(result: Equilibrium) -> Parts:
         arrays |= {f"rods/{number}/{name}": getattr(rod, name) for name in _ROD_ARRAYS}
     for number, reaction in enumerate(result.reactions):
         arrays |= {f"reactions/{number}/{k}": v for k, v in reaction._asdict().items()}
+    for number, tendon in enumerate(result.tendons):
+        arrays[f"tendons/{number}"] = np.array(
+            [tendon.tension, tendon.length, *tendon.force_on_base, tendon.slack]
+        )
     if result.mode is not None:
         arrays["mode"] = result.mode
     return Parts(head, arrays)
@@ -70,6 +74,7 @@ def put_together(parts: Parts) -> Equilibrium:
     state["scene"] = scene
     state["rods"] = _rods(scene, head, arrays)
     state["reactions"] = tuple(_reaction(i, arrays) for i in range(len(scene.supports)))
+    state["tendons"] = tuple(_tendon(i, arrays) for i in range(len(scene.actuators)))
     state["record"] = {
         name.removeprefix("record/"): values
         for name, values in arrays.items()
@@ -86,6 +91,9 @@ def _rods(
     out = []
     sums = zip(scene.rods, head["energies"], head["largest"], strict=True)
     for number, (rod, energy, largest) in enumerate(sums):
+        bare = arrays.get(f"rods/{number}/vertex_force")  # files from before there were tendons
+        if bare is not None:
+            arrays.setdefault(f"rods/{number}/backbone_force", bare)
         values: dict[str, Any] = {
             name: _of_shape(arrays, f"rods/{number}/{name}", _shape(name, rod.edges))
             for name in _ROD_ARRAYS
@@ -106,6 +114,11 @@ def _shape(name: str, edges: int) -> tuple[int, ...]:
 def _reaction(number: int, arrays: dict[str, np.ndarray]) -> Reaction:
     names = Reaction._fields
     return Reaction(*(_of_shape(arrays, f"reactions/{number}/{name}", (3,)) for name in names))
+
+
+def _tendon(number: int, arrays: dict[str, np.ndarray]) -> TendonEquilibrium:
+    tension, length, *force, slack = _of_shape(arrays, f"tendons/{number}", (6,))
+    return TendonEquilibrium(float(tension), float(length), np.array(force), bool(slack))
 
 
 def _of_shape(arrays: dict[str, np.ndarray], name: str, shape: tuple[int, ...]) -> np.ndarray:

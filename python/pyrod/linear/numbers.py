@@ -234,4 +234,6 @@ def all_paths(scene: Scene) -> list[str]:
         out.append(f"supports.{i}.position")
         if support.holds_frame:
             out.append(f"supports.{i}.frame")
+    for i, actuator in enumerate(scene.actuators):
+        out.append(f"actuators.{i}.{'tension' if actuator.length is None else 'length'}")
     return out

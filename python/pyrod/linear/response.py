@@ -48,14 +48,15 @@ class Linearised:
     ``"vertex_frames"``, both as rotation vectors in the components of the frame,
     ``R <- R exp(phi)``; ``"rotations"`` of the vertices in space, what moments work on;
     ``"K"``, ``"moment"``, ``"Gamma"``, ``"force"``; ``"tip"``, ``"tip_frame"``; ``"energy"``;
-    ``"reactions.0.force"`` and ``"reactions.0.moment"``. With several rods say
-    ``"rods.1.positions"``. NaN is told where there is no derivative, or where it is not known: at
-    vertices where a section jumps or a moment acts that no node takes, and for forces that are not
-    determined.
+    ``"reactions.0.force"`` and ``"reactions.0.moment"``; ``"tendons.0.length"`` and
+    ``"tendons.0.tension"``. With several rods say ``"rods.1.positions"``. NaN is told where there
+    is no derivative, or where it is not known: at vertices where a section jumps or a moment acts
+    that no node takes, and for forces that are not determined.
 
     Names of what changes are the paths of scenes, as in `sweep`: ``"loads.0.force"``,
     ``"supports.1.position"``, ``"supports.1.frame"`` (a rotation vector in its components),
-    ``"supports.1.turns"``, ``"rods.0.K0"``, ``"rods.0.bending"``, ``"rods.0.edge_lengths"``.
+    ``"supports.1.turns"``, ``"actuators.0.tension"`` or ``"actuators.0.length"``,
+    ``"rods.0.K0"``, ``"rods.0.bending"``, ``"rods.0.edge_lengths"``.
     """
 
     def __init__(self, result: Equilibrium) -> None:

@@ -57,12 +57,15 @@ def resolved(scene: Scene, name: str) -> tuple[str, int | None]:
                 return whole, None
         if kind == "reactions" and int(number) < len(scene.supports) and what in _REACTION:
             return whole, None
+        if kind == "tendons" and int(number) < len(scene.actuators) and what in _TENDON:
+            return whole, None
     known = [*OF_RODS, *ENDS, *_OF_SCENES, "reactions.0.force", "reactions.0.moment"]
     raise ValueError(f"output: there is no {shortly(name)}; there are {listed(known)}")
 
 
 _REACTION = ("force", "moment")
 _OF_SCENES = ("energy", "multipliers")
+_TENDON = ("length", "tension")
 
 
 def weights_of(scene: Scene, given: Mapping[str, Any], shapes: Mapping[str, Any]) -> dict[str, Any]:
@@ -70,7 +73,7 @@ def weights_of(scene: Scene, given: Mapping[str, Any], shapes: Mapping[str, Any]
     out: dict[str, Any] = {}
     for name, value in given.items():
         path, row = resolved(scene, name)
-        if path == "energy":
+        if path == "energy" or path.startswith("tendons."):
             out[path] = out.get(path, 0.0) + float(finite(value, name))
             continue
         array = out.setdefault(path, np.zeros(np.shape(shapes[path])))
@@ -85,7 +88,7 @@ def weights_of(scene: Scene, given: Mapping[str, Any], shapes: Mapping[str, Any]
 def one_weight(scene: Scene, name: str, shapes: Mapping[str, Any], entry: int) -> dict[str, Any]:
     """Of one number of an output, which is 1."""
     path, row = resolved(scene, name)
-    if path == "energy":
+    if path == "energy" or path.startswith("tendons."):
         return {path: 1.0}
     array: Array = np.zeros(np.shape(shapes[path]))
     place = array if row is None else array[row]

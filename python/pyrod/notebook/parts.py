@@ -151,6 +151,14 @@ def load_rows(scene: Scene) -> list[Row]:
     ]
 
 
+def actuator_rows(scene: Scene) -> list[Row]:
+    """What drives the rods."""
+    return [
+        Row(f"tendon {i}", f"{tendon.given}, rod {tendon.rod}")
+        for i, tendon in enumerate(scene.actuators)
+    ]
+
+
 UNITS = {
     "force": "N",
     "moment": "N m",

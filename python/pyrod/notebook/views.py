@@ -6,11 +6,20 @@ from typing import Any
 
 from pyrod.base.immutable import Array
 from pyrod.curve import FramedCurve, Polyline
-from pyrod.notebook.parts import acting, load_rows, points, shapes_at_rest, support_rows, view_of
+from pyrod.notebook.parts import (
+    acting,
+    actuator_rows,
+    load_rows,
+    points,
+    shapes_at_rest,
+    support_rows,
+    view_of,
+)
 from pyrod.notebook.sketch import Sketch, svg
 from pyrod.notebook.table import Row, page, several
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.rods import RodEquilibrium
+from pyrod.result.tendons import ways
 from pyrod.rod.rod import Rod
 from pyrod.scene.scene import Scene
 
@@ -49,6 +58,7 @@ def scene_html(scene: Scene) -> str:
         *several("rods", [_rod_row(i, rod) for i, rod in enumerate(scene.rods)]),
         *several("supports and joints", support_rows(scene)),
         *several("loads", load_rows(scene)),
+        *several("actuators", actuator_rows(scene)),
         Row("space", scene.space),
     ]
     return page("Scene, at rest", rows, svg(sketch), sketch.left_out)
@@ -66,7 +76,7 @@ def pictured(result: Equilibrium, others: list[Array] | None = None) -> tuple[st
     faint = [r for r, _ in shapes_at_rest(scene)] if others is None else others
     lines = [r for r, _ in shapes]
     marks = points(scene, lines, held=False)
-    sketch = Sketch(lines, faint, marks, acting(scene, shapes), view_of(scene))
+    sketch = Sketch([*lines, *ways(result)], faint, marks, acting(scene, shapes), view_of(scene))
     return svg(sketch), sketch.left_out
 
 
@@ -137,6 +147,11 @@ def _found(result: Equilibrium) -> list[Row]:
         )
     ]
     rows += several("of reactions", reactions)
+    tendons = [
+        Row(f"tendon {i}", f"{tendon.tension:.6g} N, {tendon.length:.6g}", "m")
+        for i, tendon in enumerate(result.tendons)
+    ]
+    rows += several("of tendons", tendons)
     if result.lowest_eigenvalue is not None:
         rows.append(Row("lowest eigenvalue", result.lowest_eigenvalue, "N m"))
     if result.accuracy is not None:

@@ -18,6 +18,7 @@ from pyrod.pictures.swept import Swept, swept
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.fields import field
 from pyrod.result.rods import RodEquilibrium
+from pyrod.result.tendons import ways
 from pyrod.rod.place import on_rod
 
 PALETTE = np.array(
@@ -156,6 +157,7 @@ def scene(
     plotter = need("pyvista", "view").Plotter(off_screen=off_screen, window_size=list(size))
     plotter.set_background(BACKGROUND)
     _add_rods(plotter, result, colour_by, sides)
+    _add_tendons(plotter, result)
     _add_supports(plotter, result)
     _add_loads(plotter, result)
     if frames:
@@ -199,6 +201,12 @@ def _add_rods(plotter: Any, result: Equilibrium, colour_by: str | None, sides: i
         look |= {"scalar_bar_args": bar, "cmap": "viridis", "clim": by.limits}
     normals = {"cell_normals": False, "consistent_normals": False, "split_vertices": True}
     plotter.add_mesh(poly.compute_normals(feature_angle=SHARP, **normals), name="rods", **look)
+
+
+def _add_tendons(plotter: Any, result: Equilibrium) -> None:
+    for way in ways(result):
+        pieces = np.repeat(way, 2, axis=0)[1:-1]
+        plotter.add_lines(pieces, color="dimgrey", width=2)
 
 
 def _add_supports(plotter: Any, result: Equilibrium) -> None:

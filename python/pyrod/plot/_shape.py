@@ -13,6 +13,7 @@ from pyrod.pictures.box import box
 from pyrod.pictures.measure import Colouring, measure
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.rods import RodEquilibrium
+from pyrod.result.tendons import ways
 from pyrod.rotation import conjugate, rotate
 
 
@@ -45,6 +46,8 @@ def draw_shape(
     if directors and not in_plane(result):
         for rod, colour in zip(result.rods, colours, strict=True):
             _draw_fringe(rod, ax, colour)
+    for way in ways(result):
+        ax.plot(*_coordinates(result, way).T, color="0.3", linewidth=0.8)
     return ax
 
 

@@ -14,12 +14,15 @@ from pyrod.base.arrays import number
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy, lazily
 from pyrod.result.accuracy import Accuracy
-from pyrod.result.rods import OfTheOnlyRod, Reaction, RodEquilibrium, longest
+from pyrod.result.rods import OfTheOnlyRod, Reaction, RodEquilibrium, TendonEquilibrium, longest
 from pyrod.rotation import exp, multiply, rotate
 from pyrod.scene.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+
+_TUPLES: dict[str, Callable[..., Any]] = {"reactions": Reaction, "tendons": TendonEquilibrium}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -33,6 +36,7 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
     scene: Scene
     rods: tuple[RodEquilibrium, ...]
     reactions: tuple[Reaction, ...]  #: of the scene's supports, in their order
+    tendons: tuple[TendonEquilibrium, ...]  #: of the scene's actuators, in their order
     status: str  #: "converged", or why not
     advice: str  #: the status in a sentence, with what to try
     index: int
@@ -81,9 +85,10 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
             made = state["_make_scene"]()
         else:
             made = Lazy.__getattr__(self, name)
-            if name != "reactions":
+            kind = _TUPLES.get(name)
+            if kind is None:
                 return made
-            made = tuple([Reaction(*one) for one in made])
+            made = tuple([kind(*one) for one in made])
         state[name] = made
         return made
 
@@ -209,6 +214,9 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
             moments += [np.cross(at, reaction.force), reaction.moment]
         force = _sum_of_lengths(forces) + max(longest(rod.force) for rod in self.rods)
         moment = _sum_of_lengths(moments) + max(longest(rod.moment) for rod in self.rods)
+        if self.tendons:  # sums may be nothing beside their parts
+            force += max(longest(rod.backbone_force) for rod in self.rods)
+            moment += max(longest(rod.material_moment) for rod in self.rods)
         length = max(rod.rod.length for rod in self.rods)
         return (
             _sum_of_lengths([np.sum(forces, axis=0)]) / (force or 1.0),

@@ -46,6 +46,7 @@ KINDS = {
     "moment": Kind("section moment", "m", "N m", "vertex", SPACE),
     "moment_before": Kind("section moment, before", "m", "N m", "vertex", SPACE),
     "material_moment": Kind("section moment, material", "M", "N m", "vertex", FRAME),
+    "backbone_force": Kind("force of the backbone", "n_b", "N", "vertex", SPACE),
     "load": Kind("load", "f", "N", "vertex", SPACE),
 }
 """All quantities by name: those of `RodEquilibrium`, and the directors at the vertices."""

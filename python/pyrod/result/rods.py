@@ -20,6 +20,16 @@ class Reaction(NamedTuple):
     moment: Array  #: (3,) [N m], about the point that is held
 
 
+class TendonEquilibrium(NamedTuple):
+    """A tendon in equilibrium."""
+
+    tension: float  #: [N]
+    length: float  #: along its way [m]
+    force_on_base: Array
+    """(3,) what it exerts where it begins, in space [N]: there it is held, or pulled."""
+    slack: bool = False  #: of given length, and longer than its way, which ``length`` is
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class RodEquilibrium(Lazy, Immutable):
     """One rod of n edges in equilibrium; arrays have a row per vertex (n + 1) or per edge (n).
@@ -53,6 +63,11 @@ class RodEquilibrium(Lazy, Immutable):
     #: just behind
     moment_before: Array  #: (n + 1, 3) the same; where it jumps, just before
     material_moment: Array  #: (n + 1, 3) C_bt (K - K0)
+    backbone_force: Array
+    """(n + 1, 3) ``vertex_force`` without the tensions of tendons: what the rod itself carries [N].
+
+    Its moment is ``material_moment``, where ``moment`` is that of all that a section transmits.
+    """
     load: Array  #: (n + 1, 3) what acts on the vertices [N]
     load_moment: Array  #: (3,) sum of the moments that act on the rod [N m]
     bend_twist_energy: float  #: Linn (49) [J]
@@ -114,6 +129,7 @@ class OfTheOnlyRod:
     moment: Array
     moment_before: Array
     material_moment: Array
+    backbone_force: Array
     load: Array
     load_moment: Array
     rod: Rod

@@ -1,5 +1,6 @@
 """Scenes: rods, what holds and joins them, what acts on them, and whether they lie in a plane."""
 
+from pyrod.scene.actuators import Tendon
 from pyrod.scene.joints import Joint
 from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Load, Moment
 from pyrod.scene.planarity import Planarity, is_planar
@@ -23,5 +24,6 @@ __all__ = [
     "Slider",
     "Spring",
     "Support",
+    "Tendon",
     "is_planar",
 ]

@@ -16,8 +16,8 @@ from pyrod.rod.rod import Rod
 from pyrod.scene.loads import LoadAlong
 from pyrod.scene.scene import Scene
 
-KINDS = ("rods", "supports", "joints", "loads")
-PLACES = ("at", "rod", "points")
+KINDS = ("rods", "supports", "joints", "loads", "actuators")
+PLACES = ("at", "rod", "points", "start", "end", "offset")
 """Entries that decide where rods have vertices."""
 Parts = dict[str, dict[int, Any]]
 """Parts of a scene by kind and number."""
@@ -33,7 +33,7 @@ def changed(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Parts | Non
     given = _uncut(scene, new)
     if moved:
         if given is not None and "rods" not in new:
-            entries.update(rods=given[0], loads=given[1])
+            entries.update(rods=given[0], loads=given[1], actuators=given[2])
         return Scene(space=scene.space, **_replaced(entries, new)), None
     made = object.__new__(Scene)  # the compiled solver checks the parts as it takes them
     made.__dict__.update(_replaced(entries, new), space=scene.space)
@@ -42,14 +42,17 @@ def changed(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Parts | Non
     return made, new
 
 
-def _uncut(scene: Scene, new: Parts) -> tuple[tuple[Any, ...], tuple[Any, ...]] | None:
-    """Rods and loads without vertices of places; None: rows of loads belong to these vertices."""
-    rods, loads = scene.as_given()
+def _uncut(scene: Scene, new: Parts) -> tuple[tuple[Any, ...], ...] | None:
+    """Rods, loads and actuators without vertices of places; None: rows belong to these vertices."""
+    rods, loads, actuators = scene.as_given()
     if rods is scene.rods:
         return None
-    loads = _replaced({"loads": loads}, new)["loads"]
-    rows = any(getattr(load.acting, "ndim", 1) > 1 for load in loads if isinstance(load, LoadAlong))
-    return None if rows else (rods, loads)
+    parts = _replaced({"loads": loads, "actuators": actuators}, new)
+    rows = [load.acting for load in parts["loads"] if isinstance(load, LoadAlong)]
+    rows += [actuator.offset for actuator in parts["actuators"]]
+    if any(getattr(values, "ndim", 1) > 1 for values in rows):
+        return None
+    return rods, parts["loads"], parts["actuators"]
 
 
 def _replaced(entries: dict[str, Any], new: Parts) -> dict[str, Any]:

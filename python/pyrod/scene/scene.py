@@ -13,6 +13,7 @@ from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Once
 from pyrod.base.words import shortly
 from pyrod.rod.rod import Rod, rod_of
+from pyrod.scene.actuators import Actuator, Tendon, sampled_tendon
 from pyrod.scene.joints import Joint
 from pyrod.scene.loads import Load, LoadAlong, on_cut_edges, sampled_load, stepwise_load
 from pyrod.scene.supports import Clamp, Support
@@ -41,6 +42,8 @@ class Scene(Immutable):
         plane is refused.
     joints : `Joint`, or several
         Any number.
+    actuators : `Tendon`, or several
+        Any number.
 
     Raises
     ------
@@ -54,6 +57,7 @@ class Scene(Immutable):
     loads: tuple[Load, ...]
     space: Space
     joints: tuple[Joint, ...]
+    actuators: tuple[Tendon, ...]
 
     def __init__(
         self,
@@ -62,9 +66,11 @@ class Scene(Immutable):
         loads: Load | Iterable[Load] = (),
         space: Space = "spatial",
         joints: Joint | Iterable[Joint] = (),
+        actuators: Tendon | Iterable[Tendon] = (),
     ) -> None:
         rods, supports = _tuple(rods, Rod, "rods"), _tuple(supports, Support, "supports")
         loads, joints = _tuple(loads, Load, "loads"), _tuple(joints, Joint, "joints")
+        actuators = _tuple(actuators, Actuator, "actuators")
         if not isinstance(space, str) or space not in ("planar", "spatial"):
             raise ValueError(
                 f"space: expected 'planar' or 'spatial', got {shortly(space)}{_belonging(space)}"
@@ -72,15 +78,19 @@ class Scene(Immutable):
         for load in loads:
             if isinstance(load, LoadAlong):
                 load.refuse_shape(rods)
+        for actuator in actuators:
+            actuator.refuse_shape(rods)
         self._set(rods=rods, supports=supports, loads=loads, space=space, joints=joints)
+        self._set(actuators=actuators)
         cut = _on_grid(rods, self._compiled.rods([rod._compiled for rod in rods]))
         if cut is not rods:
             self._set(rods=cut, loads=tuple(on_cut_edges(load, rods, cut) for load in loads))
-            self._set(given=(rods, loads))
+            self._set(actuators=tuple(one.on(rods, cut) for one in actuators))
+            self._set(given=(rods, loads, actuators))
 
-    def as_given(self) -> tuple[tuple[Rod, ...], tuple[Load, ...]]:
-        """Rods and loads without the vertices that places got, if they are known still."""
-        return self.__dict__.get("given", (self.rods, self.loads))
+    def as_given(self) -> tuple[tuple[Rod, ...], tuple[Load, ...], tuple[Tendon, ...]]:
+        """Rods, loads and actuators without vertices of places, if they are known still."""
+        return self.__dict__.get("given", (self.rods, self.loads, self.actuators))
 
     @Once
     def _compiled(self) -> _core.Scene:
@@ -92,7 +102,9 @@ class Scene(Immutable):
         rods = tuple(rod.refined(level) for rod in self.rods)
         if all(map(operator.is_, rods, self.rods)):
             return self
-        return replace(self, rods=rods, loads=self._loads_on_any_grid() if level else self.loads)
+        actuators = tuple(one.on(self.rods, rods) for one in self.actuators)
+        loads = self._loads_on_any_grid() if level else self.loads
+        return replace(self, rods=rods, loads=loads, actuators=actuators)
 
     @Once
     def _climbing(self) -> Scene:
@@ -106,7 +118,8 @@ class Scene(Immutable):
             return self
         made, loads = object.__new__(Scene), self._loads_on_any_grid()
         parts = {"rods": rods, "supports": self.supports, "loads": loads, "joints": self.joints}
-        made.__dict__.update(parts, space=self.space, _climbing=made)
+        actuators = tuple(one.on(self.rods, rods) for one in self.actuators)
+        made.__dict__.update(parts, actuators=actuators, space=self.space, _climbing=made)
         return made
 
     def _loads_on_any_grid(self) -> tuple[Load, ...]:
@@ -116,6 +129,7 @@ class Scene(Immutable):
         """Functions of arc length are pickled as the values they had on the edges."""
         state = super().__getstate__()
         state["loads"] = tuple(sampled_load(load, self.rods) for load in self.loads)
+        state["actuators"] = tuple(sampled_tendon(one, self.rods) for one in self.actuators)
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -169,6 +183,8 @@ class Scene(Immutable):
             names = [type(x).__name__ for x in (*self.supports, *self.joints)]
             held = _counted(names)
         loads = ", ".join(type(load).__name__ for load in self.loads) or "no loads"
+        if self.actuators:
+            loads += f", {_counted([type(one).__name__ for one in self.actuators])}"
         return f"Scene({rods}, {held}, {loads}, {self.space})"
 
 
@@ -196,13 +212,20 @@ def compiled_of(scene: Scene) -> _core.Scene:
         [support._compiled for support in scene.supports],
         [joint._compiled for joint in scene.joints],
         [load._compiled for load in scene.loads],
+        [actuator._compiled for actuator in scene.actuators],
         scene.space,
     )
 
 
 def _belonging(item: Any) -> str:
     """Where a thing belongs that was given for another argument."""
-    kinds = {"rods": Rod, "supports": Support, "loads": Load, "joints": Joint}
+    kinds = {
+        "rods": Rod,
+        "supports": Support,
+        "loads": Load,
+        "joints": Joint,
+        "actuators": Actuator,
+    }
     for name, kind in kinds.items():
         if isinstance(item, kind):
             return (

@@ -65,8 +65,8 @@ class Solver:
         ----------
         changes : mapping or `Scene`
             New values by their paths, as ``{"loads.0.force": (0, 0, -2), "supports.1.position.2":
-            0.4}``: ``rods``, ``supports``, ``joints`` or ``loads``, the number of one, what it
-            takes, and perhaps a component of that. Or another scene; default: none.
+            0.4}``: ``rods``, ``supports``, ``joints``, ``loads`` or ``actuators``, the number of
+            one, what it takes, and perhaps a component of that. Or another scene; default: none.
 
         Raises
         ------
@@ -126,9 +126,9 @@ class Solver:
             scene = changes
         else:
             scene, new = changed(self.scene, changes)
-        rods, supports, joints, loads = compiled_parts(new or {})
+        parts = compiled_parts(new or {})
         given: Any = None if new is not None and in_step else compiled_of(scene)
-        found = self._solver.solve(given, rods, supports, joints, loads, *self._how)
+        found = self._solver.solve(given, *parts, *self._how)
         self._numbers = NewNumbers(scene)
         self._in_step = True
         return equilibrium_of(scene, found, self._how, perf_counter() - began)

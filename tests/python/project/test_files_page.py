@@ -23,6 +23,7 @@ KINDS: list[Form] = [
     *schema.SUPPORTS.kinds.values(),
     *schema.LOADS.kinds.values(),
     schema.JOINT,
+    *schema.ACTUATORS.kinds.values(),
     schema.SOLVE,
 ]
 

@@ -17,11 +17,16 @@ struct CellPart;
 /// In the plane turns add up.
 template <>
 struct CellPart<Planar> {
-  Vec1 k, strain, u;
+  Vec1 k, strain, u, slope;  ///< slope: of the moment, with all that acts in it
   double length, part;
 
   CellPart(const CellOfNetwork<Planar>& c, double before)
-      : k(c.k), strain(c.strain()), u(c.u), length(c.length), part(before) {}
+      : k(c.k),
+        strain(c.strain()),
+        u(c.u),
+        slope(c.driven ? Vec1(c.k + c.others.k) : c.k),
+        length(c.length),
+        part(before) {}
 
   /// δu = T φ_b − Tᵀφ_a.
   Vec1 turn(const Vec1& a, const Vec1& b) const { return b - a; }
@@ -30,8 +35,10 @@ struct CellPart<Planar> {
   Vec1 raised(const Vec1& m) const { return m; }
   Vec1 lowered(const Vec1& w) const { return w; }
   /// Of the moment, fixed in space, in frame a; of turns.
-  Vec1 moment(const Vec1& a, const Vec1& b) const { return k.cwiseProduct(b - a); }
-  void moment_back(const Vec1& w, Vec1& a, Vec1& b) const { turn_back(k.cwiseProduct(w), a, b); }
+  Vec1 moment(const Vec1& a, const Vec1& b) const { return slope.cwiseProduct(b - a); }
+  void moment_back(const Vec1& w, Vec1& a, Vec1& b) const {
+    turn_back(slope.cwiseProduct(w), a, b);
+  }
   /// The frame at the vertex; `δ`: of that part of the turn.
   Vec1 frame(const Vec1& a, const Vec1& δ) const { return a + δ; }
   void frame_back(const Vec1& w, Vec1& a, Vec1& δ) const { a += w, δ = w; }
@@ -45,7 +52,7 @@ struct CellPart<Spatial> {
 
   CellPart(const CellOfNetwork<Spatial>& c, double before)
       : k(c.k), strain(c.strain()), u(c.u), length(c.length), part(before), T(c.T()) {
-    const auto jet = c.jet();
+    const auto jet = c.whole();
     by_a = skew(jet.a) / 2 - jet.aa;
     by_b = -jet.ab;
     D = turn_differential(Vec3(part * u));

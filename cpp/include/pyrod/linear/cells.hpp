@@ -6,16 +6,17 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/linear/items.hpp>
 #include <pyrod/rod/bend_twist.hpp>
+#include <pyrod/rod/cell_kind.hpp>
+#include <pyrod/rod/turn_potential.hpp>
 #include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/statics/equations/cell_terms.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
 #include <type_traits>
 
 namespace pyrod {
-
-enum class CellKind { whole, before, behind };  ///< the vertex; or that half of its cell
 
 /// A cell between the frames `a` and `b`.
 template <class Space>
@@ -28,13 +29,24 @@ struct CellOfNetwork {
   int stiffness, rest;  ///< items of its numbers
   double length;        ///< at rest
   typename Space::Rotation frame_a;
-  Spin<Space> u, k, u0;  ///< turn, stiffness, turn at rest
+  Spin<Space> u, k, u0;         ///< turn, stiffness, turn at rest
+  TurnPotential<Space> others;  ///< what acts in it besides, if it is
+  bool driven = false;
 
   Spin<Space> strain() const { return u - u0; }
   Spin<Space> m() const { return k.cwiseProduct(u - u0); }
   Mat<Space::spin> T() const { return typename Space::Differential(u).T(); }
   TurnJet<Space> jet() const {
     return bend_twist<Hessian::exact>(u, typename Space::Differential(u), k, u0);
+  }
+  /// With all that acts in it.
+  TurnJet<Space> whole() const {
+    auto out = jet();
+    if (!driven) return out;
+    const auto more = turn_potential<Hessian::exact>(u, others);
+    out.a += more.a, out.b += more.b;
+    out.aa += more.aa, out.ab += more.ab, out.bb += more.bb;
+    return out;
   }
 };
 
@@ -62,12 +74,15 @@ class Cells {
         x_(x),
         state_(layout),
         numbers_(layout),
-        attached_(layout) {}
+        attached_(layout),
+        terms_(CellTerms<Space>(net_).under(x.tensions)) {}
+
+  const CellTerms<Space>& terms() const { return terms_; }
 
   /// Calls visit(cell) for those between two edges of a span.
   template <class Visit>
   void for_each_inside(const Span<Space>& span, Visit&& visit) const {
-    for (int j = span.first + 1; j < span.last; ++j) visit(inner(span.rod, j));
+    for (int j = span.first + 1; j < span.last; ++j) visit(driven(inner(span.rod, j)));
   }
 
   /// Calls visit(cell) for those between the last edge of a span and the first of the next.
@@ -75,13 +90,25 @@ class Cells {
   void for_each_between(Visit&& visit) const {
     for_each_attached([&](int rod, int i, int before, int behind) {
       if (!layout_.attached(rod)[i].rigid && before >= 0 && behind >= 0)
-        visit(turn(rod, i, before, behind));
+        visit(driven(turn(rod, i, before, behind)));
     });
+  }
+
+  /// Calls visit(cell) for those of both kinds in which something acts besides.
+  template <class Visit>
+  void for_each_driven(Visit&& visit) const {
+    if (terms_.none()) return;
+    const auto see = [&](const Cell& c) {
+      if (c.driven) visit(c);
+    };
+    for (const auto& span : layout_.spans()) for_each_inside(span, see);
+    for_each_between(see);
   }
 
   /// Calls visit(cell) for the halves beside frames that are held.
   template <class Visit>
-  void for_each_half(Visit&& visit) const {
+  void for_each_half(Visit&& look) const {
+    const auto visit = [&](const Cell& c) { look(driven(c)); };
     for (const auto& span : layout_.spans())
       if (layout_.clamp_of(span)) visit(clamped(span));
     for_each_attached([&](int rod, int i, int before, int behind) {
@@ -93,6 +120,14 @@ class Cells {
   }
 
  private:
+  /// With what acts in it besides.
+  Cell driven(Cell c) const {
+    if (terms_.none(c.rod, c.vertex, c.kind)) return c;
+    c.others = terms_.at(c.rod, c.vertex, c.kind, c.u);
+    c.driven = true;
+    return c;
+  }
+
   Cell inner(int rod, int j) const {
     const int e = layout_.edge(rod, j);
     const auto& r = net_.rods[rod];
@@ -108,6 +143,7 @@ class Cells {
            numbers_.rest(e),
            r.grid.Δs(j),
            x_.frames[e - 1],
+           {},
            {},
            {},
            {}};
@@ -132,6 +168,7 @@ class Cells {
            numbers_.rest(e),
            r.grid.h(span.first) / 2,
            held,
+           {},
            {},
            {},
            {}};
@@ -175,6 +212,7 @@ class Cells {
            before ? x_.frames[e] : held,
            {},
            {},
+           {},
            {}};
     c.u =
         log(principal(before ? x_.frames[e].conjugate() * held : held.conjugate() * x_.frames[e]));
@@ -201,6 +239,7 @@ class Cells {
            x_.frames[a],
            {},
            {},
+           {},
            {}};
     Rotation W = x_.frames[a].conjugate() * x_.frames[b];
     if (b < a) W = principal(W);
@@ -215,6 +254,7 @@ class Cells {
   StateItems<Space> state_;
   NumberItems<Space> numbers_;
   AttachmentNumbers<Space> attached_;
+  CellTerms<Space> terms_;
 };
 
 }  // namespace pyrod

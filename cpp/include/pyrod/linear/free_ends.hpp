@@ -5,13 +5,20 @@
 
 #include <pyrod/core/types.hpp>
 #include <pyrod/linear/items.hpp>
-#include <pyrod/rod/moment_law.hpp>
+#include <pyrod/rod/cell_kind.hpp>
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rod/tension.hpp>
 #include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/loads.hpp>
+#include <pyrod/scene/place.hpp>
+#include <pyrod/statics/equations/cell_terms.hpp>
+#include <pyrod/statics/equations/end_turn.hpp>
 
 #include <Eigen/LU>
+
+#include <utility>
+#include <vector>
 
 namespace pyrod {
 
@@ -30,10 +37,14 @@ struct FreeEnd {
   double length;
   Spin<Space> k, rest, w, m;       ///< rest: as w counts
   Block by_moment, by_k, by_rest;  ///< δw: of the moment as the law has it, and of k and rest
-  Block of_edge, of_turn;          ///< the frame's turn: of the edge's, of δw
-  Spin<Space> M;                   ///< moment on the end, in the edge's frame, or following
+  Block by_total;                  ///< −δw: of what else acts in the half cell
+  /// Tendons in it, and how their lengths grow with w.
+  std::vector<std::pair<int, Spin<Space>>> tendons;
+  Block of_edge, of_turn;  ///< the frame's turn: of the edge's, of δw
+  Spin<Space> M;           ///< moment on the end, in the edge's frame, or following
 
-  FreeEnd(const Rod<Space>& rod, const Loads<Space>& loads, bool at_start, const Rotation& q)
+  FreeEnd(const Rod<Space>& rod, const Loads<Space>& loads, const CellTerms<Space>& terms,
+          int number, bool at_start, const Rotation& q)
       : start(at_start), follows(!at_start && !loads.follower_end_moment.isZero(0)) {
     const int j = start ? 0 : rod.edges();
     const double sign = start ? -1 : 1;
@@ -42,22 +53,29 @@ struct FreeEnd {
     rest = sign * length * rod.K0[j];
     M = follows ? loads.follower_end_moment
                 : rotate_spin(q.conjugate(), start ? loads.start_moment : loads.end_moment);
-    const Spin<Space> K0 = sign * rod.K0[j];
-    w = follows ? turn_under_moment_behind<Space>(M, rod.bending[j], K0, length)
-                : turn_under_moment<Space>(M, rod.bending[j], K0, length);
+    w = turn_of_end<Space>(terms, rod, number, start ? End::start : End::end, M, follows);
     m = k.cwiseProduct(w - rest);
-    linearise();
+    TurnPotential<Space> others;
+    terms.for_each_tendon(number, j, start ? CellKind::behind : CellKind::before,
+                          Spin<Space>(sign * w), [&](int i, double T, const auto& tendon) {
+                            add_tension<Space>(T, tendon, others);
+                            tendons.emplace_back(i, sign * tendon.slope);
+                          });
+    linearise(sign * others.m, others.k);
   }
 
  private:
   /// dead: T m = M; following: Tᵀ m = M.
-  void linearise() {
+  void linearise(const Spin<Space>& other_m, const Block& other_k) {
+    const Spin<Space> all = m + other_m;
     const typename Space::Differential dlog(w);
     Block T = dlog.T();
-    Block slope = dlog.N(m) - spin_skew(m) / 2;
-    if (follows) T.transposeInPlace(), slope += spin_skew(m);
+    Block slope = dlog.N(all) - spin_skew(all) / 2;
+    if (follows) T.transposeInPlace(), slope += spin_skew(all);
     slope += T * k.asDiagonal();
+    slope += T * other_k;
     by_moment = slope.inverse();
+    by_total = by_moment * T;
     by_k = -by_moment * T * (w - rest).asDiagonal();
     by_rest = by_moment * T * k.asDiagonal();
     of_turn = turn_differential(w);

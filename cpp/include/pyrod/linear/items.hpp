@@ -45,7 +45,8 @@ class StateItems {
         nodes_(int(layout.network().nodes.size())),
         hinges_(layout.hinges()),
         attached_(AttachmentNumbers<Space>(layout).count()),
-        spans_(int(layout.spans().size())) {}
+        spans_(int(layout.spans().size())),
+        tendons_(int(layout.network().tendons.size())) {}
 
   int turn(int e) const { return e; }
   int force(int e) const { return edges_ + e; }  ///< the section force
@@ -55,10 +56,11 @@ class StateItems {
   int hinge(int i) const { return load(nodes_) + i; }
   int held(int a) const { return hinge(hinges_) + a; }  ///< the frame that holds a rod
   int gap(int p) const { return held(attached_) + p; }  ///< of a span; the state: its multiplier
-  int count() const { return gap(spans_); }
+  int tendon(int i) const { return gap(spans_) + i; }   ///< the gap of one of given length; tension
+  int count() const { return tendon(tendons_); }
 
  private:
-  int edges_, nodes_, hinges_, attached_, spans_;
+  int edges_, nodes_, hinges_, attached_, spans_, tendons_;
 };
 
 enum class Side { before, behind };
@@ -71,7 +73,8 @@ class NumberItems {
       : edges_(layout.edges()),
         nodes_(int(layout.network().nodes.size())),
         attached_(AttachmentNumbers<Space>(layout).count()),
-        rods_(int(layout.network().rods.size())) {
+        rods_(int(layout.network().rods.size())),
+        tendons_(int(layout.network().tendons.size())) {
     for (const auto& rod : layout.network().rods)
       vertices_.push_back(vertices_.back() + rod.edges() + 1);
   }
@@ -100,10 +103,11 @@ class NumberItems {
   int end_moment(int rod, Side s) const { return end_rest(rods_, Side::before) + 2 * rod + int(s); }
   int end_following(int rod) const { return end_moment(rods_, Side::before) + rod; }
   int force(int rod, int vertex) const { return end_following(rods_) + vertices_[rod] + vertex; }
-  int count() const { return force(rods_, 0); }
+  int tendon(int i) const { return force(rods_, 0) + i; }  ///< its tension, or its given length
+  int count() const { return tendon(tendons_); }
 
  private:
-  int edges_, nodes_, attached_, rods_;
+  int edges_, nodes_, attached_, rods_, tendons_;
   std::vector<int> vertices_{0};  ///< first of each rod
 };
 

@@ -5,6 +5,7 @@
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/linear/items.hpp>
+#include <pyrod/rod/routed_tendon.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/equations/edge_columns.hpp>
 #include <pyrod/statics/equations/network_loads.hpp>
@@ -54,6 +55,22 @@ void require_alike(const Layout<Space>& layout, const Layout<Space>& base) {
   }
 }
 
+/// Tendons may differ in their tensions only, and their rods not in the lengths of edges.
+template <class Space>
+void require_same_tendons(const Network<Space>& net, const Network<Space>& like) {
+  const auto same = [](const RoutedTendon& a, const RoutedTendon& b) {
+    return a.rod == b.rod && a.first == b.first && a.last == b.last && a.samples() == b.samples() &&
+           a.softness == b.softness;
+  };
+  require(
+      std::ranges::equal(net.tendons, like.tendons, same),
+      "linear: a change of the offset of a tendon, of its ends, or of its EA, has no derivative "
+      "here");
+  for (const auto& tendon : net.tendons)
+    require(net.rods[tendon.rod].grid.edge_lengths() == like.rods[tendon.rod].grid.edge_lengths(),
+            "linear: a change of the length of a rod with tendons has no derivative here");
+}
+
 }  // namespace detail
 
 /// Of a network whose layout is like `base`, at the state x of that. Frames as turns from those of
@@ -71,7 +88,10 @@ class NumbersOf {
         items_(base),
         out_(Items<Space>::Zero(item_width<Space>, items_.count())) {
     detail::require_alike(layout, base);
+    detail::require_same_tendons(net_, base.network());
     set_edges();
+    for (int i = 0; i < int(net_.tendons.size()); ++i)
+      out_(0, items_.tendon(i)) = net_.tendons[i].length.value_or(net_.tendons[i].tension);
     const NetworkLoads<Space> loads(layout);
     for (const auto& [e, m] : loads.edge_moments()) add(items_.moment(e), m);
     for (const auto& [e, m] : loads.follower_moments()) add(items_.following(e), m);

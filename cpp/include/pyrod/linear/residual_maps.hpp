@@ -9,6 +9,7 @@
 #include <pyrod/linear/items.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/equations/network_rows.hpp>
+#include <pyrod/statics/equations/tendon_rows.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
@@ -33,9 +34,14 @@ class ResidualMaps {
 
   /// `at` must stay where it is.
   explicit ResidualMaps(const AtState<Space>& at) : at_(at) {
-    Cells<Space>(at.layout, at.x).for_each_half([&](const auto& cell) { add(cell); });
+    const Cells<Space> cells(at.layout, at.x);
+    const auto tensions = [&](const auto& cell) { add_tensions(cell, cells.terms()); };
+    cells.for_each_half([&](const auto& cell) { add(cell), tensions(cell); });
+    cells.for_each_driven(tensions);
     for (int p = 0; p < int(at.layout.spans().size()); ++p) add_span(p);
     for (int v = 0; v < int(at.net.nodes.size()); ++v) add_place(v), add_turn(v), move_node(v);
+    for (int i = 0; i < int(at.net.tendons.size()); ++i)
+      if (at.layout.tendon_block(i) >= 0) add_length(i, cells.terms().tension(i));
     for (int rod = 0; rod < int(at.net.rods.size()); ++rod) {
       const auto& on = at.layout.attached(rod);
       for (int i = 0; i < int(on.size()); ++i) add_attachment(on[i], at.attached.of(rod, i));
@@ -61,11 +67,13 @@ class ResidualMaps {
   const ItemMap<Space>& skew() const { return skew_; }
 
  private:
+  using Row = Eigen::Matrix<double, 1, spin>;
+
   static Mat<spin> half_skew(const Spin<Space>& m) { return spin_skew(m) / 2; }
 
   /// ∓T δm with theory (30), and what held frames exert on each other.
   void add(const CellOfNetwork<Space>& c) {
-    const auto jet = c.jet();
+    const auto jet = c.whole();
     const Mat<spin> T = c.T(), by_k = T * c.strain().asDiagonal(), by_rest = T * c.k.asDiagonal(),
                     Tt = T.transpose(), b_by_k = Tt * c.strain().asDiagonal(),
                     b_by_rest = Tt * c.k.asDiagonal();
@@ -79,6 +87,27 @@ class ResidualMaps {
       of_state_.add(c.a, c.b, jet.ab);
       add_held(c.b, c.attachment, jet.bb, jet.b);
     }
+  }
+
+  void add_tensions(const CellOfNetwork<Space>& c, const CellTerms<Space>& terms) {
+    terms.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
+      const Mat<spin> T = c.T();
+      const Spin<Space> of_a = -T * length.slope, of_b = T.transpose() * length.slope;
+      if (at_.layout.tendon_block(i) < 0) {
+        of_numbers_.add(c.a, at_.numbers.tendon(i), of_a);
+        of_numbers_.add(c.b, at_.numbers.tendon(i), of_b);
+      } else if (!TendonRows<Space>::is_slack(at_.x, i)) {  // held frames move it as well
+        if (c.edge_a < 0) of_state_.add(at_.state.tendon(i), c.a, Row(of_a.transpose()));
+        if (c.edge_b < 0) of_state_.add(at_.state.tendon(i), c.b, Row(of_b.transpose()));
+      }
+    });
+  }
+
+  /// The gap of a tendon, ℓ less its length under tension. Of one that is slack there is none.
+  void add_length(int i, double tension) {
+    if (TendonRows<Space>::is_slack(at_.x, i)) return;
+    of_numbers_.add(at_.state.tendon(i), at_.numbers.tendon(i),
+                    Mat<1>(-(1 + at_.net.tendons[i].softness * tension)));
   }
 
   /// The moment g on a held frame, first moved by ψ and then looked at: H ψ + ½ g × ψ. If the frame

@@ -66,6 +66,10 @@ class ResponseInSpace {
       this->from_space(weight, item, kind);
     });
     change_.told(0, linear_.told_items().energy()) = weights.energy;
+    for (int i = 0; i < int(weights.tensions.size()); ++i) {
+      change_.told(0, linear_.told_items().tendon_length(i)) = weights.tendon_lengths[i];
+      change_.told(0, linear_.told_items().tension(i)) = weights.tensions[i];
+    }
     linear_.pull(change_, numbers_);
     const Vector out = flat(numbers_);
     linear_.pull_rounding(numbers_);
@@ -156,6 +160,8 @@ class ResponseInSpace {
     out.reaction_forces.assign(nodes_.size(), Vec3::Zero());
     out.reaction_moments = out.reaction_forces;
     out.multipliers.assign(posed_->layout().spans().size(), Vec3::Zero());
+    out.tendon_lengths.assign(posed_->network().tendons.size(), 0.);
+    out.tensions = out.tendon_lengths;
     return out;
   }
 
@@ -169,7 +175,12 @@ class ResponseInSpace {
     for_each(out, change, [this](Vec3& told, const auto& item, auto kind) {
       told = this->to_space(item, kind);
     });
-    out.energy = change.told(0, linear_.told_items().energy());
+    const auto& items = linear_.told_items();
+    out.energy = change.told(0, items.energy());
+    for (int i = 0; i < int(out.tensions.size()); ++i) {
+      out.tendon_lengths[i] = change.told(0, items.tendon_length(i));
+      out.tensions[i] = change.told(0, items.tension(i));
+    }
     return out;
   }
 

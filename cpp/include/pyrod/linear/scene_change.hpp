@@ -35,6 +35,7 @@ struct SceneChange {
   /// Section forces with which spans begin, rod by rod: what is unknown of them are the
   /// multipliers.
   std::vector<Vec3> multipliers;
+  std::vector<double> tendon_lengths, tensions;  ///< in the order of the actuators
   double energy = 0;
 };
 

@@ -14,7 +14,9 @@ template <class Space>
 class ToldItems {
  public:
   explicit ToldItems(const Layout<Space>& layout)
-      : edges_(layout.edges()), nodes_(int(layout.network().nodes.size())) {
+      : edges_(layout.edges()),
+        nodes_(int(layout.network().nodes.size())),
+        tendons_(int(layout.network().tendons.size())) {
     for (const auto& rod : layout.network().rods) first_.push_back(first_.back() + rod.edges() + 1);
   }
 
@@ -31,10 +33,12 @@ class ToldItems {
   int reaction_force(int v) const { return rotation(vertices()) + v; }
   int reaction_moment(int v) const { return reaction_force(nodes_) + v; }
   int energy() const { return reaction_moment(nodes_); }
-  int count() const { return energy() + 1; }
+  int tendon_length(int tendon) const { return energy() + 1 + tendon; }
+  int tension(int tendon) const { return tendon_length(tendons_) + tendon; }
+  int count() const { return tension(tendons_); }
 
  private:
-  int edges_, nodes_;
+  int edges_, nodes_, tendons_;
   std::vector<int> first_{0};
 };
 

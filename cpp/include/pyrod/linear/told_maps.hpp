@@ -26,10 +26,15 @@ class ToldMaps {
   static constexpr int dim = Space::dim, spin = Space::spin;
 
   /// `at` must stay where it is.
-  explicit ToldMaps(const AtState<Space>& at) : at_(at) {
-    Cells<Space>(at.layout, at.x).for_each_half([&](const auto& cell) { tell(cell); });
+  explicit ToldMaps(const AtState<Space>& at)
+      : at_(at), terms_(CellTerms<Space>(at.net).under(at.x.tensions)) {
+    const Cells<Space> cells(at.layout, at.x);
+    cells.for_each_half([&](const auto& cell) { tell(cell); });
+    cells.for_each_driven([&](const auto& cell) { tell_driven(cell); });
     for (int rod = 0; rod < int(at.net.rods.size()); ++rod) tell_rod(rod);
     for (int v = 0; v < int(at.net.nodes.size()); ++v) tell_node(v);
+    for (int i = 0; i < int(at.net.tendons.size()); ++i)
+      add_tension(at.told.tension(i), i, Mat<1>(1));
   }
 
   const ItemMap<Space>& of_state() const { return of_state_; }
@@ -49,6 +54,31 @@ class ToldMaps {
     of_state_.add(to, c.b, Block(of * -jet.ab));
     of_numbers_.add(to, c.stiffness, Block(of * T * c.strain().asDiagonal()));
     of_numbers_.add(to, c.rest, Block(-of * T * c.k.asDiagonal()));
+    tell_tensions(c, to, Block(of * T));
+  }
+
+  /// `of`: of the moment in the cell.
+  void tell_tensions(const CellOfNetwork<Space>& c, int to, const Block& of) {
+    terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
+      add_tension(to, i, Spin<Space>(of * length.slope));
+    });
+  }
+
+  /// Of a tension, which is a number or a part of the state.
+  template <class Change>
+  void add_tension(int to, int tendon, const Change& change) {
+    if (at_.layout.tendon_block(tendon) < 0)
+      of_numbers_.add(to, at_.numbers.tendon(tendon), change);
+    else
+      of_state_.add(to, at_.state.tendon(tendon), change);
+  }
+
+  void tell_tendons(const CellOfNetwork<Space>& c) {
+    terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
+      const Row slope = length.slope.transpose();
+      of_state_.add(at_.told.tendon_length(i), c.a, Row(-slope * c.T().transpose()));
+      of_state_.add(at_.told.tendon_length(i), c.b, Row(slope * c.T()));
+    });
   }
 
   /// The same in space: the frame takes the moment along.
@@ -58,12 +88,24 @@ class ToldMaps {
     of_state_.add(to, c.a, Block(R * spin_skew(jet.a)));
   }
 
-  void tell(const CellOfNetwork<Space>& c) {
-    const auto jet = c.jet();
+  void tell_elastic(const CellOfNetwork<Space>& c, const TurnJet<Space>& jet) {
     of_state_.add(at_.told.energy(), c.a, Row(jet.a.transpose()));
     of_state_.add(at_.told.energy(), c.b, Row(jet.b.transpose()));
     of_numbers_.add(at_.told.energy(), c.stiffness, Row(c.strain().cwiseAbs2().transpose() / 2));
     of_numbers_.add(at_.told.energy(), c.rest, Row(-c.m().transpose()));
+  }
+
+  /// Of a cell between two edges, what tendons add to that of `Chains`.
+  void tell_driven(const CellOfNetwork<Space>& c) {
+    tell_tendons(c);
+    const Block R = spin_matrix<Space>(c.frame_a);
+    tell_tensions(c, at_.told.moment(at_.told.vertex(c.rod, c.vertex)), Block(R * c.T()));
+  }
+
+  void tell(const CellOfNetwork<Space>& c) {
+    tell_elastic(c, c.jet());
+    tell_tendons(c);
+    const auto jet = c.whole();
     const auto& rod = at_.net.rods[c.rod];
     const bool at_end = !rod.grid.closed() && c.vertex == rod.edges();
     const int vertex = at_.told.vertex(c.rod, c.vertex);
@@ -82,6 +124,10 @@ class ToldMaps {
     const auto& grid = at_.net.rods[c.rod].grid;
     const bool inside = c.vertex > 0 && c.vertex < grid.edges();
     Spin<Space> K = c.u / c.length;
+    if (c.driven && c.kind == CellKind::behind && inside) {
+      unknown_.push_back(to);  // the tendons' part of the moment changes with it
+      return;
+    }
     if (c.kind == CellKind::behind && (inside || grid.closed())) {
       const Spin<Space> give = (c.k * c.length).cwiseInverse();
       K = (c.u0 - jet.a.cwiseQuotient(c.k)) / c.length;
@@ -129,7 +175,7 @@ class ToldMaps {
     const auto& r = at_.net.rods[rod];
     const int n = r.edges(), e = at_.layout.edge(rod, start ? 0 : n - 1);
     const auto& q = at_.x.frames[e];
-    const FreeEnd<Space> end(r, at_.net.loads[rod], start, q);
+    const FreeEnd<Space> end(r, at_.net.loads[rod], terms_, rod, start, q);
     const Side side = start ? Side::before : Side::behind;
     const int vertex = at_.told.vertex(rod, start ? 0 : n), turn = at_.told.vertex_turn(vertex),
               K = at_.told.curvature(vertex);
@@ -143,6 +189,8 @@ class ToldMaps {
     of_numbers_.add(K, at_.numbers.length(e),
                     Spin<Space>(-sign * end.w / (end.length * end.length) / 2));
     tell_end_turn(rod, side, end, e, at_.told.energy(), Row(end.m.transpose()));
+    for (const auto& [i, slope] : end.tendons)
+      tell_end_turn(rod, side, end, e, at_.told.tendon_length(i), Row(slope.transpose()));
     const Spin<Space> strain = end.w - end.rest;
     of_numbers_.add(at_.told.energy(), at_.numbers.end_stiffness(rod, side),
                     Row(strain.cwiseAbs2().transpose() / 2));
@@ -166,6 +214,9 @@ class ToldMaps {
     const double sign = end.start ? -1 : 1;
     of_numbers_.add(to, at_.numbers.end_stiffness(rod, side), Out(of * end.by_k));
     of_numbers_.add(to, at_.numbers.end_rest(rod, side), Out(sign * of * end.by_rest));
+    for (const auto& [i, slope] : end.tendons)
+      add_tension(to, i,
+                  Eigen::Matrix<double, A::RowsAtCompileTime, 1>(-of * end.by_total * slope));
     if (end.follows) {
       of_numbers_.add(to, at_.numbers.end_following(rod), Out(of * end.by_moment));
       return;
@@ -191,6 +242,7 @@ class ToldMaps {
   }
 
   const AtState<Space>& at_;
+  CellTerms<Space> terms_;
   std::vector<int> unknown_;
   ItemMap<Space> of_state_, of_numbers_;
 };

@@ -40,6 +40,9 @@ class UnknownRows {
         rows.segment(layout_.row(b), node.free.cols()).noalias() =
             node.free.transpose() * from.col(state_.place(v)).template head<dim>();
     }
+    for (int i = 0; i < int(layout_.network().tendons.size()); ++i)
+      if (const int b = layout_.tendon_block(i); b >= 0)
+        rows[layout_.row(b)] = layout_.unit_tension(i) * from(0, state_.tendon(i));
   }
 
   /// To the state: sets the turns of edges, adds all others. Multipliers stay in the items of gaps.
@@ -61,6 +64,9 @@ class UnknownRows {
         state.col(state_.place(v)).template head<dim>().noalias() +=
             node.free * rows.segment(layout_.row(b), node.free.cols());
     }
+    for (int i = 0; i < int(layout_.network().tendons.size()); ++i)
+      if (const int b = layout_.tendon_block(i); b >= 0)
+        state(0, state_.tendon(i)) += layout_.unit_tension(i) * rows[layout_.row(b)];
   }
 
  private:

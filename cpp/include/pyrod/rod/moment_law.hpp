@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/core/types.hpp>
+#include <pyrod/rod/turn_potential.hpp>
 #include <pyrod/rotation/differential.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/spatial.hpp>
@@ -48,6 +49,34 @@ template <class Space>
 Spin<Space> turn_under_moment_behind(const Spin<Space>& M, const Spin<Space>& C,
                                      const Spin<Space>& K0, double Δs) {
   return -turn_under_moment<Space>(-M, C, -K0, Δs);
+}
+
+/// A law seen from the other end of its cell.
+template <class Space, class Law>
+auto mirrored(const Law& law) {
+  return [law](const Spin<Space>& u) {
+    auto ψ = law(Spin<Space>(-u));
+    ψ.m = -ψ.m;
+    return ψ;
+  };
+}
+
+/// The same under any law u ↦ ψ, from a turn that is near.
+template <class Space, class Law>
+Spin<Space> turn_under_moment(const Spin<Space>& M, const Law& law, Spin<Space> u) {
+  for (int i = 0; i < 50; ++i) {
+    const typename Space::Differential dlog(u);
+    const TurnPotential<Space> ψ = law(u);
+    Mat<Space::spin> slope = dlog.T() * ψ.k + dlog.N(ψ.m) - spin_skew(ψ.m) / 2;
+    const Spin<Space> δ = slope.inverse() * (M - dlog.T() * ψ.m);
+    u += δ;
+    if (!(δ.norm() > 1e-15 * (1 + u.norm()))) break;
+  }
+  return u;
+}
+template <class Space, class Law>
+Spin<Space> turn_under_moment_behind(const Spin<Space>& M, const Law& law, const Spin<Space>& u) {
+  return -turn_under_moment<Space>(Spin<Space>(-M), mirrored<Space>(law), Spin<Space>(-u));
 }
 
 }  // namespace pyrod

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pyrod/core/require.hpp>
+#include <pyrod/scene/actuator.hpp>
 #include <pyrod/scene/joint.hpp>
 #include <pyrod/scene/load.hpp>
 #include <pyrod/scene/rod_spec.hpp>
@@ -24,6 +25,7 @@ struct Changes {
   Of<Support> supports = {};
   Of<Joint> joints = {};
   Of<Load> loads = {};
+  Of<Actuator> actuators = {};
 
   /// These first, then others.
   void add(const Changes& more) {
@@ -32,12 +34,14 @@ struct Changes {
     };
     append(rods, more.rods), append(supports, more.supports);
     append(joints, more.joints), append(loads, more.loads);
+    append(actuators, more.actuators);
   }
 
   /// Refuses numbers that the scene has not.
   void apply(Scene& scene) const {
     put(rods, scene.rods, "rods"), put(supports, scene.supports, "supports");
     put(joints, scene.joints, "joints"), put(loads, scene.loads, "loads");
+    put(actuators, scene.actuators, "actuators");
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
 #include <pyrod/rod/rod.hpp>
+#include <pyrod/rod/routed_tendon.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/unit.hpp>
 #include <pyrod/scene/directions.hpp>
@@ -31,6 +32,7 @@ struct Node {
   Spin<Space> follower_moment = Spin<Space>::Zero();             ///< in the components of the frame
   double spring = 0;          ///< stiffness [N/m] that draws it towards `position`
   double torsion_spring = 0;  ///< stiffness [N m] that turns it towards `frame`
+  bool parts_cell = false;    ///< something ends there: the halves of a cell on it are not alike
 };
 
 /// A vertex of a rod that hangs on a node: by its position alone, or rigidly with its frame, which
@@ -54,6 +56,7 @@ struct Network {
   std::vector<Loads<Space>> loads;           ///< one per rod
   std::vector<Node<Space>> nodes;
   std::vector<Attachment<Space>> attachments;
+  std::vector<RoutedTendon> tendons = {};
 
   /// Refuses what is no network, naming what is wrong and where. Attachments may be in any order.
   void check() const {
@@ -61,6 +64,7 @@ struct Network {
     for (std::size_t i = 0; i < rods.size(); ++i) check_rod(i);
     check_nodes();
     for (const auto& a : attachments) check_attachment(a);
+    for (std::size_t i = 0; i < tendons.size(); ++i) check_tendon(tendons[i], i);
   }
 
   void check_nodes() const {
@@ -91,7 +95,7 @@ struct Network {
   static bool same_but_for_place(const Node<Space>& a, const Node<Space>& b) {
     return same(a.free, b.free) && same(a.turns, b.turns) && a.force == b.force &&
            a.moment == b.moment && a.follower_moment == b.follower_moment && a.spring == b.spring &&
-           a.torsion_spring == b.torsion_spring;
+           a.torsion_spring == b.torsion_spring && a.parts_cell == b.parts_cell;
   }
   template <class D>
   static bool same(const D& a, const D& b) {
@@ -130,6 +134,41 @@ struct Network {
               ": a stiffness must be finite and not negative, got ", value);
     };
     stiffness(node.spring, "spring"), stiffness(node.torsion_spring, "torsion_spring");
+  }
+
+  void check_tendon(const RoutedTendon& tendon, std::size_t i) const {
+    require(tendon.rod >= 0 && tendon.rod < int(rods.size()), "tendons[", i, "]: no rod ",
+            tendon.rod);
+    const auto& rod = rods[std::size_t(tendon.rod)];
+    require(!rod.grid.closed() && tendon.first >= 0 && tendon.first < tendon.last &&
+                tendon.last <= rod.edges(),
+            "tendons[", i, "]: expected two vertices of an open rod, in their order, got ",
+            tendon.first, " and ", tendon.last);
+    check_length(tendon, i);
+    require(std::isfinite(tendon.tension) && tendon.tension >= 0, "tendons[", i,
+            "].tension: must be finite and not negative, got ", tendon.tension);
+    for (const auto& C : rod.stretching)
+      require(C.array().isInf().all(), "tendons[", i, "]: rod ", tendon.rod,
+              " stretches or shears, and tendons need one that keeps its length; choose the "
+              "inextensible model");
+  }
+
+  /// The end of one of given length must be held, or feel no moment: its half cell would change
+  /// with the tension as well as with the moment.
+  void check_length(const RoutedTendon& tendon, std::size_t i) const {
+    if (!tendon.length) return;
+    require(std::isfinite(*tendon.length) && *tendon.length > 0, "tendons[", i,
+            "].length: must be positive and finite, got ", *tendon.length);
+    require(std::isfinite(tendon.softness) && tendon.softness >= 0, "tendons[", i,
+            "]: its stiffness must be positive");
+    require(tendon.largest_offset() > 0, "tendons[", i,
+            "]: one on the axis of a rod that keeps its length has that length; give its tension");
+    const auto& on = loads[std::size_t(tendon.rod)];
+    require(
+        on.start_moment.isZero(0) && on.end_moment.isZero(0) && on.follower_end_moment.isZero(0),
+        "tendons[", i,
+        "]: beside one of given length no moment may act on an end of its rod; give its "
+        "tension");
   }
 
   static void check_attachment(const Attachment<Space>& a) {

@@ -50,6 +50,7 @@ class PlaneCheck {
     for (std::size_t i = 0; i < scene_.supports.size() && why_.empty(); ++i) look_at_support(i);
     for (std::size_t i = 0; i < scene_.joints.size() && why_.empty(); ++i) look_at_joint(i);
     for (std::size_t i = 0; i < scene_.loads.size() && why_.empty(); ++i) look_at_load(i);
+    for (std::size_t i = 0; i < scene_.actuators.size() && why_.empty(); ++i) look_at_tendon(i);
     return why_;
   }
 
@@ -135,6 +136,14 @@ class PlaneCheck {
                 largest(load, i, k), " along ", director(k));
       }
     }
+  }
+
+  void look_at_tendon(std::size_t i) {
+    const auto& tendon = network_.network.tendons[i];
+    double most = 0;
+    for (const auto& d : tendon.samples()) most = std::max(most, std::abs(d[across_]));
+    found(most > 1e-12 * tendon.largest_offset(), "tendon ", i, " has an offset ", most, " along ",
+          director(across_));
   }
 
   /// Whether some of it has a part along a director, more than rounding of all that is dead.

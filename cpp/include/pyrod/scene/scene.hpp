@@ -2,6 +2,7 @@
 /// \file Scenes: rods, what holds and joins them, and what acts on them.
 #pragma once
 
+#include <pyrod/scene/actuator.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/scene/joint.hpp>
 #include <pyrod/scene/load.hpp>
@@ -23,18 +24,23 @@ struct Scene {
   /// first rod at rest), which takes a third of the unknowns. What leaves the plane is refused.
   Dimension space = Dimension::spatial;
   std::vector<Joint> joints = {};
+  std::vector<Actuator> actuators = {};
 
   Scene(std::vector<RodSpec> several, std::vector<Support> held = {}, std::vector<Load> acting = {},
-        Dimension in = Dimension::spatial, std::vector<Joint> joined = {})
+        Dimension in = Dimension::spatial, std::vector<Joint> joined = {},
+        std::vector<Actuator> driven = {})
       : rods(std::move(several)),
         supports(std::move(held)),
         loads(std::move(acting)),
         space(in),
-        joints(std::move(joined)) {}
+        joints(std::move(joined)),
+        actuators(std::move(driven)) {}
   /// Of one rod.
   Scene(RodSpec rod, std::vector<Support> held = {}, std::vector<Load> acting = {},
-        Dimension in = Dimension::spatial)
-      : Scene(std::vector{std::move(rod)}, std::move(held), std::move(acting), in) {}
+        Dimension in = Dimension::spatial, std::vector<Joint> joined = {},
+        std::vector<Actuator> driven = {})
+      : Scene(std::vector{std::move(rod)}, std::move(held), std::move(acting), in,
+              std::move(joined), std::move(driven)) {}
 
   /// Refuses places and loads on rods that there are not.
   void check_places() const;

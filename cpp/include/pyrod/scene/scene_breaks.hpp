@@ -6,6 +6,8 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/curve/grid.hpp>
 #include <pyrod/rod/section.hpp>
+#include <pyrod/rotation/planar.hpp>
+#include <pyrod/scene/actuator.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/break_search.hpp>
 #include <pyrod/scene/breaks.hpp>
@@ -35,6 +37,7 @@ struct Smoothness {
 namespace detail {
 
 inline Vec3 numbers_of(const Vec3& v) { return v; }
+inline Vec2 numbers_of(const Vec2& v) { return v; }
 /// Rigid strains are zero compliances.
 inline Vec<7> numbers_of(const Section& c) {
   return {c.EI1, c.EI2, c.GJ, 1 / c.GA1, 1 / c.GA2, 1 / c.EA, c.mass_per_length};
@@ -74,23 +77,30 @@ class BreakFinder {
  public:
   explicit BreakFinder(Scene& scene) : scene_(scene) {}
 
-  /// Functions that are empty are refused where they are sampled.
+  /// Functions that are empty are refused where they are sampled. What is found; null: nothing.
   template <class T>
-  void look(const Along<T>& along, int rod, const std::string& name) {
+  const Breaks* look(const Along<T>& along, int rod, const std::string& name) {
     const auto* function = std::get_if<FunctionAlong<T>>(&along);
-    if (!function || !*function) return;
+    if (!function || !*function) return nullptr;
     auto& spec = scene_.rods[std::size_t(rod)];
     const double length = spec.length();
     const auto find = [&] { return breaks_along(*function, length); };
     const auto& breaks = function->breaks(length, find);
     spec = broken(std::move(spec), breaks.at);
-    if (smooth_.unresolved) return;
+    if (smooth_.unresolved) return &breaks;
     smooth_.unresolved = breaks.unresolved;
     smooth_.reason =
         breaks.unresolved
             ? name + " has more jumps and kinks than can be told apart, or is singular"
             : "a load, a section or the curvature may jump where that was not found; give it a "
               "vertex (Rod.with_vertices)";
+    return &breaks;
+  }
+
+  /// Kinks of a polygon are known.
+  void look(Tendon& tendon, const std::string& name) {
+    if (tendon.kinks.empty())
+      if (const auto* breaks = look(tendon.offset, tendon.rod, name)) tendon.kinks = breaks->at;
   }
 
   void look(const std::vector<Load>& loads) {
@@ -120,6 +130,8 @@ inline Smoothness add_vertices_at_breaks(Scene& scene, const std::vector<Load>& 
     finder.look(rod.section, i, text("the section of rod ", i));
     finder.look(rod.curvature, i, text("the curvature of rod ", i));
   }
+  for (std::size_t i = 0; i < scene.actuators.size(); ++i)
+    finder.look(std::get<Tendon>(scene.actuators[i]), text("the offset of tendon ", i));
   return finder.smoothness();
 }
 

@@ -9,6 +9,8 @@
 #include <pyrod/scene/support_parts.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <variant>
 
 namespace pyrod {
 
@@ -26,6 +28,11 @@ PYROD_DEFINITION void Scene::check_places() const {
     for (const auto& place : joint.points) check(place.rod, "at");
   for (const auto& load : loads)
     if (const auto rod = rod_of(load)) check(*rod, point_of(load) ? "at" : "rod");
+  for (const auto& actuator : actuators) {
+    const auto& tendon = std::get<Tendon>(actuator);
+    check(tendon.rod, "rod");
+    tendon.check(rods[std::size_t(tendon.rod)].length());
+  }
 }
 
 PYROD_DEFINITION bool Scene::chooses_edges() const {

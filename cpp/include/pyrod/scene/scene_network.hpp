@@ -4,10 +4,12 @@
 
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
+#include <pyrod/rod/routed_tendon.hpp>
 #include <pyrod/rotation/frame_along.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/rotation/unit.hpp>
+#include <pyrod/scene/actuator.hpp>
 #include <pyrod/scene/choice.hpp>
 #include <pyrod/scene/hold.hpp>
 #include <pyrod/scene/joint.hpp>
@@ -18,6 +20,7 @@
 #include <pyrod/scene/scene_on_grids.hpp>
 #include <pyrod/scene/support_parts.hpp>
 #include <pyrod/scene/supports.hpp>
+#include <pyrod/scene/tendons_on_grids.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -59,6 +62,8 @@ class NetworkMaker {
       out_.network.rods.push_back(on_.rod(i));
       out_.network.loads.push_back(on_.loads(i));
     }
+    for (const auto& actuator : scene_.actuators)
+      out_.network.tendons.push_back(routed(std::get<Tendon>(actuator)));
     return std::move(out_);
   }
 
@@ -74,6 +79,7 @@ class NetworkMaker {
   void meet() {
     for (std::size_t i = 0; i < scene_.joints.size(); ++i) join(scene_.joints[i], i);
     for (const auto& support : scene_.supports) support_on(support);
+    for (const auto& actuator : scene_.actuators) part_cells(std::get<Tendon>(actuator));
     for (int i = 0; i < int(scene_.rods.size()); ++i) place_rod(i);
     for (auto& meeting : nodes_) add(meeting);
     for (const auto& support : scene_.supports)
@@ -91,7 +97,8 @@ class NetworkMaker {
     Point held = {};
     std::map<Point, int> turns = {};
     int number = -1;
-    Placement<Spatial> at = {};  ///< where its support holds it
+    Placement<Spatial> at = {};      ///< where its support holds it
+    std::vector<Point> parted = {};  ///< where something ends inside a cell
   };
 
   void note_held(const Meeting& meeting) {
@@ -154,6 +161,34 @@ class NetworkMaker {
       meeting.turns[at] = checked_turns(clamp->turns);
   }
 
+  RoutedTendon routed(const Tendon& tendon) const {
+    return pyrod::routed(tendon, on_.rod(tendon.rod).grid,
+                         [&](double s) { return on_.vertex({tendon.rod, s}); });
+  }
+
+  /// Where a tendon ends or has a kink, and where the rod or its moments jump along it, the halves
+  /// of the cell turn each by its own law: a node holds them together.
+  void part_cells(const Tendon& tendon) {
+    const int rod = tendon.rod;
+    const auto of = routed(tendon);
+    std::vector<int> at = of.kinks;
+    for (const auto& jump : on_.rod(rod).jumps) at.push_back(jump.vertex);
+    for (const auto& moment : on_.loads(rod).vertex_moments) at.push_back(moment.vertex);
+    std::erase_if(at, [&](int j) { return j < of.first || j > of.last; });
+    for (const int j : {of.first, of.last})
+      if (j > 0 && j < on_.rod(rod).edges()) at.push_back(j);
+    for (const int j : at) part_cell({rod, j});
+  }
+
+  void part_cell(const Point& at) {
+    auto& meeting = owned(at);
+    if (std::ranges::find(meeting.parted, at) != meeting.parted.end()) return;
+    require(meeting.rigid || meeting.parted.empty(),
+            "actuators: tendons of two rods end, or have kinks, in one ball joint; let them end "
+            "beside it");
+    meeting.parted.push_back(at);
+  }
+
   static int checked_turns(int turns) {
     constexpr int most = 1000000;
     require(turns >= -most && turns <= most, "turns: must be at most ", most, ", got ", turns);
@@ -193,6 +228,7 @@ class NetworkMaker {
     node.turns = held.turns;
     node.spring = held.spring;
     node.torsion_spring = held.torsion_spring;
+    node.parts_cell = !meeting.parted.empty();
     meeting.number = int(out_.network.nodes.size());
     out_.network.nodes.push_back(node);
     for (const auto& at : meeting.points) attach(meeting, at, first, held.frame, own);
@@ -200,7 +236,8 @@ class NetworkMaker {
 
   void attach(const Meeting& meeting, const Point& at, const Point& first, bool holds,
               const Quaternion& own) {
-    const bool rigid = meeting.rigid || (holds && at == meeting.held);
+    const bool parted = std::ranges::find(meeting.parted, at) != meeting.parted.end();
+    const bool rigid = meeting.rigid || parted || (holds && at == meeting.held);
     const auto turns = meeting.turns.find(at);
     Attachment<Spatial> a{at.first, at.second, meeting.number, rigid};
     if (at != first && !meeting.aligned)

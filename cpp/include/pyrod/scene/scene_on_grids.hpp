@@ -7,6 +7,7 @@
 #include <pyrod/curve/grid.hpp>
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/space.hpp>
+#include <pyrod/scene/actuator.hpp>
 #include <pyrod/scene/along.hpp>
 #include <pyrod/scene/arrays_on_grid.hpp>
 #include <pyrod/scene/changes.hpp>
@@ -20,6 +21,7 @@
 #include <pyrod/scene/scene.hpp>
 #include <pyrod/scene/support_parts.hpp>
 #include <pyrod/scene/supports.hpp>
+#include <pyrod/scene/tendons_on_grids.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,8 +37,8 @@ namespace detail {
 /// Arc lengths at which rods need vertices, rod by rod.
 using Wanted = std::vector<std::vector<double>>;
 
-/// Where rods are held and joined; and where point loads act, of rods whose grid the solver
-/// chooses, or of all.
+/// Where rods are held and joined, where tendons end; and where point loads act, of rods whose grid
+/// the solver chooses, or of all.
 inline Wanted vertices_of_places(const Scene& scene, bool all) {
   Wanted at(scene.rods.size());
   const auto mark = [&](const Place& place, bool point_load) {
@@ -50,6 +52,12 @@ inline Wanted vertices_of_places(const Scene& scene, bool all) {
     for (const auto& place : joint.points) mark(place, false);
   for (const auto& load : scene.loads)
     if (const auto* place = point_of(load)) mark(*place, true);
+  for (const auto& actuator : scene.actuators) {
+    const auto& tendon = std::get<Tendon>(actuator);
+    auto& own = at[std::size_t(tendon.rod)];
+    const auto places = places_of(tendon, scene.rods[std::size_t(tendon.rod)].length());
+    own.insert(own.end(), places.begin(), places.end());
+  }
   return at;
 }
 
@@ -69,7 +77,7 @@ inline void add_vertices(const Wanted& at, Scene& scene) {
 
 /// The scene with vertices where rods are held and joined; and where point loads act, of rods
 /// whose grid the solver chooses, or of all. Lists of loads, one per edge of a rod as it was given,
-/// or cut at its places, become steps, which hold on any grid.
+/// or cut at its places, become steps, which hold on any grid, and those of tendons polygons.
 inline Scene with_vertices_at_places(Scene scene, bool all) {
   scene.check_places();
   const std::vector<RodSpec> given = scene.rods;
@@ -88,6 +96,13 @@ inline Scene with_vertices_at_places(Scene scene, bool all) {
     along = detail::steps_of(*list, grid);
   };
   for (auto& load : scene.loads) visit_along(load, make_steps);
+  for (auto& actuator : scene.actuators) {
+    auto& tendon = std::get<Tendon>(actuator);
+    const auto rod = std::size_t(tendon.rod);
+    make_polygon(tendon, Grid(given[rod].edge_lengths), Grid(scene.rods[rod].edge_lengths));
+    if (scene.rods[rod].chooses)
+      for (const double s : places_of(tendon, scene.rods[rod].length())) at[rod].push_back(s);
+  }
   if (all) detail::add_vertices(detail::vertices_of_places(scene, true), scene);
   detail::add_vertices(at, scene);
   return scene;

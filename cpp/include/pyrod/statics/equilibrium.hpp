@@ -57,9 +57,10 @@ struct Doubt {
 /// What there is to know of a shape in equilibrium.
 struct Shape {
   std::vector<RodSolution<Spatial>> rods;
-  std::vector<Reaction> reactions = {};  ///< of the supports, in their order
-  std::vector<Vec3> held = {};           ///< the points that they hold
-  std::vector<Rod<Spatial>> made = {};   ///< the rods as they were solved
+  std::vector<Reaction> reactions = {};               ///< of the supports, in their order
+  std::vector<Vec3> held = {};                        ///< the points that they hold
+  std::vector<Rod<Spatial>> made = {};                ///< the rods as they were solved
+  std::vector<TendonSolution<Spatial>> tendons = {};  ///< in the order of the scene's actuators
 };
 
 /// Everything there is to know; values like any other. The shape is worked out when it is first
@@ -95,6 +96,7 @@ class Equilibrium {
   const Vec3& tip(int i = 0) const { return rod(i).curve.positions.back(); }
   const Quaternion& tip_frame(int i = 0) const { return rod(i).vertex_frames.back(); }
   const std::vector<Reaction>& reactions() const { return shape().reactions; }
+  const std::vector<TendonSolution<Spatial>>& tendons() const { return shape().tendons; }
 
   /// Elastic energy [J].
   double energy() const {
@@ -116,6 +118,9 @@ class Equilibrium {
       moment.add(r.load_moment);
       for (const auto& n : r.force) most_force = std::max(most_force, n.norm());
       for (const auto& m : r.moment) most_moment = std::max(most_moment, m.norm());
+      if (r.backbone_force.empty()) continue;  // else sums may be nothing beside their parts
+      for (const auto& n : r.backbone_force) most_force = std::max(most_force, n.norm());
+      for (const auto& m : r.material_moment) most_moment = std::max(most_moment, m.norm());
     }
     for (std::size_t i = 0; i < reactions().size(); ++i) {
       force.add(reactions()[i].force);

@@ -51,6 +51,7 @@ class ReadyScene {
       auto nodes = nodes_of(grid_);
       nodes.network.rods = std::move(network_.network.rods);
       nodes.network.loads = std::move(network_.network.loads);
+      nodes.network.tendons = std::move(network_.network.tendons);
       network_ = std::move(nodes);
     }
     auto& loads = network_.network.loads;

@@ -66,7 +66,7 @@ class SceneParts {
 
   /// Whether nothing asks for other vertices, and loads need not be brought to them.
   bool keeps_vertices(const Changes& changes) const {
-    return changes.rods.empty() && changes.joints.empty() &&
+    return changes.rods.empty() && changes.joints.empty() && changes.actuators.empty() &&
            std::ranges::all_of(changes.supports,
                                [this](const auto& one) {
                                  const auto& [i, support] = one;

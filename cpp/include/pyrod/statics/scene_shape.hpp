@@ -30,6 +30,7 @@ inline Shape shape_of(const ReadyScene& ready, Solution<Spatial> solution) {
     out.reactions.push_back({node.reaction_force, node.reaction_moment});
   }
   out.made = network.network.rods;
+  out.tendons = std::move(solution.tendons);
   return out;
 }
 

@@ -56,7 +56,8 @@ class WarmStart {
   static bool fits(const NetworkState<Space>& x, const Layout<Space>& layout) {
     return int(x.frames.size()) == layout.edges() && x.forces.size() == layout.spans().size() &&
            x.positions.size() == layout.network().nodes.size() &&
-           int(x.hinge_angles.size()) == layout.hinges();
+           int(x.hinge_angles.size()) == layout.hinges() &&
+           (x.tensions.empty() || x.tensions.size() == layout.network().tendons.size());
   }
 
   /// From the place where the plane was to where it is now.

@@ -46,6 +46,42 @@ class NetworkCells {
     }
   }
 
+  /// What a cell between two edges adds.
+  void put_turn(const TurnJet<Space>& jet, int before, int behind, Storage& out) const {
+    const int a = layout_.frame_block(before), b = layout_.frame_block(behind);
+    add_energy(jet.energy, out);
+    out.gradient.template segment<spin>(layout_.row(a)) += jet.a;
+    out.gradient.template segment<spin>(layout_.row(b)) += jet.b;
+    out.hessian.add_diagonal(a, jet.aa);
+    out.hessian.add_diagonal(b, jet.bb);
+    if (a < b)
+      out.hessian.add(a, b, jet.ab);
+    else if (b < a)
+      out.hessian.add(b, a, transposed(jet.ab));
+    else
+      out.hessian.add_diagonal(a, Mat<spin>(jet.ab + transposed(jet.ab)));
+  }
+
+  /// What half a cell adds, that lies before the vertex or behind it.
+  template <Hessian kind>
+  void put_half(const TurnJet<Space>& jet, const State& x, const Attachment<Space>& a, int e,
+                bool before, Storage& out) const {
+    const int q = layout_.frame_block(e), v = layout_.turn_block(a.node);
+    add_energy(jet.energy, out);
+    out.gradient.template segment<spin>(layout_.row(q)) += before ? jet.a : jet.b;
+    out.hessian.add_diagonal(q, before ? jet.aa : jet.bb);
+    const Spin<Space>& g = before ? jet.b : jet.a;
+    const Mat<spin>& H = before ? jet.bb : jet.aa;
+    const Mat<spin> mixed = before ? jet.ab : transposed(jet.ab);  // edge × node
+    const Mat<spin> turns =
+        own_turns<Space>(net_, x, a);  // of the held frame, per unknown of the node
+    if (a.hinge) add_hinge<kind>(a, g, H, mixed, turns, q, v, out);
+    if (v < 0) return;
+    add_to_rows(layout_, v, Spin<Space>(turns.transpose() * g), out);
+    out.hessian.add_diagonal(v, Mat<spin>(turns.transpose() * H * turns));
+    out.hessian.add(q, v, Mat<spin>(mixed * turns));
+  }
+
  private:
   /// Number by number: g++ takes what Eigen makes of it for uninitialised.
   static Mat<spin> transposed(const Mat<spin>& m) {
@@ -62,20 +98,8 @@ class NetworkCells {
     Rotation W = x.frames[before].conjugate() * x.frames[behind];
     if (behind < before) W = principal(W);  // the frames of a closed rod need not close their signs
     const Spin<Space> u = log(W);
-    const auto jet =
-        bend_twist<kind>(u, typename Space::Differential(u), rod.bending[j], rod.K0[j], Δs);
-    const int a = layout_.frame_block(before), b = layout_.frame_block(behind);
-    add_energy(jet.energy, out);
-    out.gradient.template segment<spin>(layout_.row(a)) += jet.a;
-    out.gradient.template segment<spin>(layout_.row(b)) += jet.b;
-    out.hessian.add_diagonal(a, jet.aa);
-    out.hessian.add_diagonal(b, jet.bb);
-    if (a < b)
-      out.hessian.add(a, b, jet.ab);
-    else if (b < a)
-      out.hessian.add(b, a, transposed(jet.ab));
-    else
-      out.hessian.add_diagonal(a, Mat<spin>(jet.ab + transposed(jet.ab)));
+    put_turn(bend_twist<kind>(u, typename Space::Differential(u), rod.bending[j], rod.K0[j], Δs),
+             before, behind, out);
   }
 
   /// Half a cell between an edge and the node it is fixed to. It turns by less than π.
@@ -83,8 +107,7 @@ class NetworkCells {
   void add_half(const State& x, const Attachment<Space>& a, int j, bool before,
                 Storage& out) const {
     const auto& rod = net_.rods[a.rod];
-    const int e = layout_.edge(a.rod, j), q = layout_.frame_block(e),
-              v = layout_.turn_block(a.node);
+    const int e = layout_.edge(a.rod, j);
     const Rotation held = held_frame(x, a);
     const Spin<Space> u =
         log(principal(before ? x.frames[e].conjugate() * held : held.conjugate() * x.frames[e]));
@@ -92,18 +115,7 @@ class NetworkCells {
     const auto jet = bend_twist<kind>(
         u, typename Space::Differential(u), before ? sides.bending_before : sides.bending_behind,
         before ? sides.K0_before : sides.K0_behind, rod.grid.h(j) / 2);
-    add_energy(jet.energy, out);
-    out.gradient.template segment<spin>(layout_.row(q)) += before ? jet.a : jet.b;
-    out.hessian.add_diagonal(q, before ? jet.aa : jet.bb);
-    const Spin<Space>& g = before ? jet.b : jet.a;
-    const Mat<spin>& H = before ? jet.bb : jet.aa;
-    const Mat<spin> mixed = before ? jet.ab : transposed(jet.ab);  // edge × node
-    const Mat<spin> turns = own_turns(x, a);  // of the held frame, per unknown of the node
-    if (a.hinge) add_hinge<kind>(a, g, H, mixed, turns, q, v, out);
-    if (v < 0) return;
-    add_to_rows(layout_, v, Spin<Space>(turns.transpose() * g), out);
-    out.hessian.add_diagonal(v, Mat<spin>(turns.transpose() * H * turns));
-    out.hessian.add(q, v, Mat<spin>(mixed * turns));
+    put_half<kind>(jet, x, a, e, before, out);
   }
 
   /// The held frame F moves as F ← F exp(α) exp(β) with α from the node and β = δ b from the hinge,
@@ -120,15 +132,6 @@ class NetworkCells {
     Spin<Space> coupling = Hb;
     if constexpr (kind == Hessian::exact) coupling += spin_skew(b) * g / 2;
     out.hessian.add(w, v, Eigen::Matrix<double, 1, spin>(coupling.transpose() * turns));
-  }
-
-  /// The rod's own frame at the node turns by Eᵀ φ if the node turns by φ, E leading from the one
-  /// to the other.
-  Mat<spin> own_turns(const State& x, const Attachment<Space>& a) const {
-    const Rotation back = held_frame(x, a).conjugate() * x.node_frames[a.node];
-    Mat<spin> out = padded(net_.nodes[a.node].turns);
-    for (int i = 0; i < spin; ++i) out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
-    return out;
   }
 
   const Layout<Space>& layout_;

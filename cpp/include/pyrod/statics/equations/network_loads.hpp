@@ -6,6 +6,8 @@
 #include <pyrod/rod/moment_law.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
+#include <pyrod/statics/equations/cell_terms.hpp>
+#include <pyrod/statics/equations/end_turn.hpp>
 #include <pyrod/statics/unknowns/known_forces.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
@@ -174,10 +176,12 @@ class NetworkLoads {
       node_follower_[end.node] += rotate_spin(end.relative, M);
       return;
     }
-    const Spin<Space> u = turn_under_moment_behind<Space>(M, r.bending[n], r.K0[n], r.grid.Δs(n));
-    follower_moments_.emplace_back(
-        layout_.edge(rod, n - 1),
-        transmitted_moment<Space>(u, r.bending[n], r.K0[n], r.grid.Δs(n)));
+    const CellTerms<Space> terms(net_);
+    const Spin<Space> u = turn_of_end<Space>(terms, r, rod, End::end, M, true);
+    Spin<Space> handed_on = transmitted_moment<Space>(u, r.bending[n], r.K0[n], r.grid.Δs(n));
+    if (!terms.none(rod, n, CellKind::before))
+      handed_on += typename Space::Differential(u).T() * terms.at(rod, n, CellKind::before, u).m;
+    follower_moments_.emplace_back(layout_.edge(rod, n - 1), handed_on);
   }
 
   const Layout<Space>& layout_;

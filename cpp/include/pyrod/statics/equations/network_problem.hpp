@@ -12,10 +12,12 @@
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/solve/problem.hpp>
 #include <pyrod/sparse/block_symmetric.hpp>
+#include <pyrod/statics/equations/cell_terms.hpp>
 #include <pyrod/statics/equations/network_cells.hpp>
 #include <pyrod/statics/equations/network_scales.hpp>
 #include <pyrod/statics/equations/network_skew.hpp>
 #include <pyrod/statics/equations/network_spans.hpp>
+#include <pyrod/statics/equations/network_terms.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
@@ -42,7 +44,10 @@ class NetworkProblem {
 
   /// Lets only a part of all loads act, or of the forces and of the moments.
   void load(double part) { load(part, part); }
-  void load(double forces, double moments) { loads_.load(forces, moments); }
+  void load(double forces, double moments) {
+    loads_.load(forces, moments);
+    terms_.load(forces);
+  }
   bool conservative() const { return loads_.conservative(); }
   bool dead_loads() const { return !loads_.follow(); }
 
@@ -52,6 +57,9 @@ class NetworkProblem {
   std::vector<Point<Space>> sections(const State& x, const Acting& now) const {
     return loads_.sections(x, now);
   }
+  /// What acts in cells besides the diagonal law.
+  CellTerms<Space> terms(const State& x) const { return terms_.under(x.tensions); }
+  bool has_terms() const { return !terms_.none(); }
   /// The diagonal of the compliance of an edge.
   Point<Space> compliance(int edge) const { return columns_.compliance[edge]; }
 
@@ -92,6 +100,7 @@ class NetworkProblem {
     const NetworkCells<Space> cells(layout_);
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       for (const auto& a : layout_.attached(rod)) cells.template add<kind>(x, a, out);
+    if (has_terms()) NetworkTerms<Space>(layout_, terms(x)).template add<kind>(x, out);
     for (int v = 0; v < int(net_.nodes.size()); ++v) add_node<kind>(x, now, v, out);
     for (const auto& [edge, m] : loads_.edge_moments())
       add_moment(x.frames[edge], m, layout_.frame_row(edge), out);
@@ -155,6 +164,7 @@ class NetworkProblem {
   NetworkLoads<Space> loads_;
   EdgeColumns<Space> columns_;
   NetworkScales<Space> scales_;
+  CellTerms<Space> terms_;
 };
 
 template <class Space>
@@ -163,7 +173,8 @@ NetworkProblem<Space>::NetworkProblem(const Layout<Space>& layout)
       net_(layout.network()),
       loads_(layout),
       columns_(edge_columns(layout)),
-      scales_(layout) {}
+      scales_(layout),
+      terms_(layout.network()) {}
 
 template <class Space>
 void NetworkProblem<Space>::linearise(const State& x, Hessian kind, Storage& out) const {
@@ -200,6 +211,12 @@ void NetworkProblem<Space>::move(const State& x, const Vector& δ, State& out) c
   }
   for (int i = 0; i < layout_.hinges(); ++i)
     out.hinge_angles[i] += δ[layout_.row(layout_.hinge_block(i))];
+  out.tensions = x.tensions, out.slack = x.slack;
+  for (int i = 0; i < int(net_.tendons.size()); ++i)
+    if (const int b = layout_.tendon_block(i); b >= 0) {
+      out.tensions.resize(net_.tendons.size());
+      out.tensions[std::size_t(i)] += layout_.unit_tension(i) * δ[layout_.row(b)];
+    }
   for (int v = 0; v < int(net_.nodes.size()); ++v) {
     const auto& node = net_.nodes[v];
     if (const int b = layout_.turn_block(v); b >= 0)

@@ -4,6 +4,7 @@
 
 #include <pyrod/core/types.hpp>
 #include <pyrod/scene/directions.hpp>
+#include <pyrod/scene/network.hpp>
 #include <pyrod/solve/problem.hpp>
 #include <pyrod/sparse/block_symmetric.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
@@ -31,6 +32,17 @@ template <int N>
 Mat<N> padded(const Directions<N>& A) {
   Mat<N> out = Mat<N>::Zero();
   out.leftCols(A.cols()) = A;
+  return out;
+}
+
+/// The rod's own frame at the node turns by Eᵀ φ if the node turns by φ, E leading from the one
+/// to the other.
+template <class Space>
+Mat<Space::spin> own_turns(const Network<Space>& net, const NetworkState<Space>& x,
+                           const Attachment<Space>& a) {
+  const auto back = held_frame(x, a).conjugate() * x.node_frames[a.node];
+  Mat<Space::spin> out = padded(net.nodes[a.node].turns);
+  for (int i = 0; i < Space::spin; ++i) out.col(i) = rotate_spin(back, Spin<Space>(out.col(i)));
   return out;
 }
 

@@ -42,6 +42,10 @@ class NetworkScales {
     for (int p = 0; p < int(layout_.spans().size()); ++p)
       if (const int b = layout_.spans()[p].block; b >= 0)
         out.segment(layout_.row(b), layout_.sizes()[b]).setConstant(1 + force_size(x, now, p));
+    for_each_tendon_row([&](int k, int i) {
+      const double T = x.tensions.empty() ? 0 : x.tensions[std::size_t(i)];
+      out[k] = 1 + std::abs(T) / layout_.unit_tension(i);
+    });
   }
 
   /// Turns carry errors of a few ulp, which the stiffest cell and the force make moments of; a
@@ -65,12 +69,23 @@ class NetworkScales {
     }
     for (int k = layout_.row(layout_.first_node_block()); k < layout_.unknowns(); ++k)
       out[k] = most;
+    for_each_tendon_row([&](int k, int i) {
+      const auto& grid = net_.rods[net_.tendons[i].rod].grid;
+      out[k] = ε * layout_.unit_tension(i) * grid.length() * (1 + std::sqrt(grid.edges()) / 8);
+    });
     for (int p = 0; p < int(layout_.spans().size()); ++p)
       if (const int e = layout_.first_edge(p); layout_.apart(p))
         out.segment<spin>(layout_.frame_row(e)) = out.segment<spin>(layout_.frame_row(e + 1));
   }
 
  private:
+  /// visit(row, number of the tendon) for those whose tension is unknown.
+  template <class Visit>
+  void for_each_tendon_row(const Visit& visit) const {
+    for (int i = 0; i < int(net_.tendons.size()); ++i)
+      if (const int b = layout_.tendon_block(i); b >= 0) visit(layout_.row(b), i);
+  }
+
   void weigh_rows() {
     double length = 0;
     for (const auto& rod : net_.rods) length += rod.grid.length();
@@ -115,8 +130,10 @@ class NetworkScales {
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       for (const auto& a : layout_.attached(rod))
         if (a.hinge) set(layout_.hinge_block(a.hinge_number), a.node);
+    for_each_tendon_row([&](int k, int i) { units_[k] = layout_.rod_moment(net_.tendons[i].rod); });
     for (int k = layout_.row(layout_.first_node_block()); k < layout_.unknowns(); ++k)
-      if (stiffness_[k] == 0) stiffness_[k] = share * units_[k];  // else it is a frame's
+      if (stiffness_[k] == 0 && weights_[k] > 0)
+        stiffness_[k] = share * units_[k];  // else it is a frame's
   }
 
   /// A span that gives way along itself needs none. One that does not can be straight, so that to
@@ -135,6 +152,9 @@ class NetworkScales {
       softness_.segment(layout_.row(span.block), layout_.sizes()[span.block])
           .setConstant(gives ? 0 : 1e-10 * unit);
     }
+    for_each_tendon_row([&](int k, int i) {  // several that do not stretch may hold the same
+      if (net_.tendons[i].softness == 0) softness_[k] = 1e-10 * units_[k];
+    });
     stiffest_.assign(net_.rods.size(), 0);
     for (std::size_t i = 0; i < net_.rods.size(); ++i)
       for (int j = 0; j < int(net_.rods[i].bending.size()); ++j)

@@ -42,7 +42,8 @@ namespace pyrod {
   prefix template Found<Space> find_near<Space>(const Posed<Space>&, NetworkState<Space>,       \
                                                 const Options&, const NetworkOptions&,          \
                                                 const Trace&);                                  \
-  prefix template Solution<Space> told<Space>(const Posed<Space>&, const Found<Space>&, int);   \
+  prefix template Solution<Space> told<Space>(const Posed<Space>&, const Found<Space>&, int,    \
+                                              bool);                                            \
   prefix template Climbed climb<Space>(const PosedLevel<Space>&, std::span<const Rod<Spatial>>, \
                                        bool, const std::optional<NetworkStart>&,                \
                                        const ClimbSettings&);

@@ -65,7 +65,7 @@ struct ErrorScales {
       auto& s = at(what);
       s = std::max(s, Eigen::Map<const Vector>(numbers, width).norm());
     };
-    visit_vertices(rung.rods, rung.nodes, look);
+    visit_vertices(rung.rods, rung.nodes, rung.tendons, look);
     visit_edges(rung.rods, look);
     for (const auto& rod : rung.rods) {
       for (const auto& Γ : rod.strains.Γ) stretch_ = std::max(stretch_, (Γ - Vec3::UnitZ()).norm());

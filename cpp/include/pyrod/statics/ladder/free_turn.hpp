@@ -37,7 +37,7 @@ inline std::optional<Vec3> free_axis(const Rung& rung, const std::vector<Vec3>& 
 inline void turn(Rung& rung, const Quaternion& by, const Vec3& centre) {
   for (auto& rod : rung.rods) {
     for (auto& r : rod.curve.positions) r = centre + rotate(by, Vec3(r - centre));
-    for (auto* list : {&rod.vertex_force, &rod.moment, &rod.force})
+    for (auto* list : {&rod.vertex_force, &rod.backbone_force, &rod.moment, &rod.force})
       for (auto& v : *list) v = rotate(by, v);
     for (auto& b : rod.before) b.force = rotate(by, b.force), b.moment = rotate(by, b.moment);
     for (auto* list : {&rod.vertex_frames, &rod.curve.frames})
@@ -49,6 +49,7 @@ inline void turn(Rung& rung, const Quaternion& by, const Vec3& centre) {
     node.reaction_force = rotate(by, node.reaction_force);
     node.reaction_moment = rotate(by, node.reaction_moment);
   }
+  for (auto& tendon : rung.tendons) tendon.force_on_base = rotate(by, tendon.force_on_base);
 }
 
 }  // namespace detail

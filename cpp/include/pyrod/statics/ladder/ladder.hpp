@@ -267,6 +267,7 @@ class Ladder {
     for (std::size_t i = 0; i < rung.rods.size(); ++i) complete(rung.rods[i], i);
     solution_.rods = std::move(rung.rods);
     solution_.nodes = std::move(rung.nodes);
+    solution_.tendons = std::move(rung.tendons);
     solution_.record = std::move(record_);
     solution_.descents = descents_;
     solution_.load_steps = load_steps_;

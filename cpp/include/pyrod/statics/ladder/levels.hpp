@@ -51,7 +51,7 @@ class Levels {
     begin(level, from_below, posed->network(), start);
     NetworkSolver<Space> solver(*posed, options, more, trace);
     auto reached = solved(solver, *posed, from_below);
-    auto found = told(*posed, reached, 1 << level);
+    auto found = told(*posed, reached, 1 << level, true);
     if (level == 0) move_to_origin(found);
     outlook_.add(posed->layout(), reached.state);
     neutral_ = found.neutral;

@@ -22,8 +22,8 @@ namespace pyrod {
 
 /// Calls visit(quantity, numbers, width) for all that is extrapolated of vertices and sums, and
 /// `visit_edges` of edges, always in the same order.
-template <class Rods, class Nodes, class Visit>
-void visit_vertices(Rods& rods, Nodes& nodes, Visit&& visit) {
+template <class Rods, class Nodes, class Tendons, class Visit>
+void visit_vertices(Rods& rods, Nodes& nodes, Tendons& tendons, Visit&& visit) {
   const auto each = [&](Quantity what, auto& list) {
     for (auto& v : list) visit(what, v.data(), 3);
   };
@@ -33,6 +33,7 @@ void visit_vertices(Rods& rods, Nodes& nodes, Visit&& visit) {
     each(Quantity::curvatures, rod.strains.K);
     each(Quantity::forces, rod.vertex_force);
     each(Quantity::moments, rod.moment);
+    each(Quantity::forces, rod.backbone_force);
     for (auto& b : rod.before) {
       visit(Quantity::forces, b.force.data(), 3);
       visit(Quantity::curvatures, b.K.data(), 3);
@@ -48,6 +49,11 @@ void visit_vertices(Rods& rods, Nodes& nodes, Visit&& visit) {
     visit(Quantity::frames, node.frame.coeffs().data(), 4);
     visit(Quantity::reactions, node.reaction_force.data(), 3);
     visit(Quantity::reaction_moments, node.reaction_moment.data(), 3);
+  }
+  for (auto& tendon : tendons) {
+    visit(Quantity::positions, &tendon.length, 1);
+    visit(Quantity::forces, &tendon.tension, 1);
+    visit(Quantity::forces, tendon.force_on_base.data(), 3);
   }
 }
 
@@ -91,8 +97,24 @@ inline auto reading(const Vector& from) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// Of a rod with tendons, whose curvatures are told by moments already.
+inline void take_backbone(RodSolution<Spatial>& rod, const Rod<Spatial>& made) {
+  for (std::size_t j = 0; j < rod.strains.K.size(); ++j) {
+    const auto sides = made.sides(int(j));
+    const bool end = j + 1 == rod.strains.K.size();
+    rod.material_moment[j] =
+        (end ? sides.bending_before : sides.bending_behind)
+            .cwiseProduct(rod.strains.K[j] - (end ? sides.K0_before : sides.K0_behind));
+  }
+}
+
+}  // namespace detail
+
 /// K from the moments, theory (21): the turn of the half cell at an end is that at its middle.
 inline void take_curvatures(RodSolution<Spatial>& rod, const Rod<Spatial>& made) {
+  if (!rod.backbone_force.empty()) return detail::take_backbone(rod, made);
   for (std::size_t j = 0; j < rod.strains.K.size(); ++j) {
     rod.material_moment[j] = unrotate(rod.vertex_frames[j], rod.moment[j]);
     rod.strains.K[j] = made.K0[j] + rod.material_moment[j].cwiseQuotient(made.bending[j]);
@@ -109,13 +131,17 @@ inline void take_curvatures(RodSolution<Spatial>& rod, const Rod<Spatial>& made)
 struct Rung {
   std::vector<RodSolution<Spatial>> rods;
   std::vector<NodeSolution<Spatial>> nodes;
+  std::vector<TendonSolution<Spatial>> tendons;
   int stride;
   bool one_axis = true;  ///< every cell bends about the axis of its moment: errors have even powers
 
-  /// Takes the rods and the nodes of `solution`, as told at the vertices of the coarsest grid, of
-  /// whose edges its own are `parts`-ths.
+  /// Takes the rods, nodes and tendons of `solution`, as told at the vertices of the coarsest grid,
+  /// of whose edges its own are `parts`-ths.
   Rung(Solution<Spatial>&& solution, int parts, const Rung* before)
-      : rods(std::move(solution.rods)), nodes(std::move(solution.nodes)), stride(parts) {
+      : rods(std::move(solution.rods)),
+        nodes(std::move(solution.nodes)),
+        tendons(std::move(solution.tendons)),
+        stride(parts) {
     for (const auto& rod : rods) one_axis = one_axis && bends_about_its_moment(rod);
     if (before) take_signs(*before);
   }
@@ -136,7 +162,9 @@ struct Rung {
 
   /// The energy of all rods comes last: errors of theirs may add up.
   Vector vertices() const {
-    const auto visit_all = [this](const auto& visit) { visit_vertices(rods, nodes, visit); };
+    const auto visit_all = [this](const auto& visit) {
+      visit_vertices(rods, nodes, tendons, visit);
+    };
     Vector out = detail::gathered(visit_all, 1);
     out[out.size() - 1] = energy();
     return out;
@@ -148,7 +176,7 @@ struct Rung {
   std::vector<Row> vertex_rows() const {
     std::vector<Row> out;
     int end = 0;
-    visit_vertices(rods, nodes, detail::listing(out, end, 0));
+    visit_vertices(rods, nodes, tendons, detail::listing(out, end, 0));
     out.push_back({end, 1, int(Quantity::energy)});
     return out;
   }
@@ -161,7 +189,7 @@ struct Rung {
 
   /// Takes extrapolated numbers, those of edges as well if there are any.
   void set(const Vector& vertices, const Vector& edges) {
-    visit_vertices(rods, nodes, detail::reading(vertices));
+    visit_vertices(rods, nodes, tendons, detail::reading(vertices));
     if (edges.size() > 0) visit_edges(rods, detail::reading(edges));
     for (auto& rod : rods) {
       for (auto& q : rod.vertex_frames) q.normalize();
@@ -176,12 +204,23 @@ struct Rung {
   static bool bends_about_its_moment(const RodSolution<Spatial>& rod) {
     double K = 0, M = 0, across = 0;
     if (std::ranges::any_of(rod.before, &Before<Spatial>::halves)) return false;
+    if (!rod.backbone_force.empty() && !bends_about_one_axis(rod)) return false;
     for (std::size_t j = 0; j < rod.strains.K.size(); ++j) {
       const Vec3 &Kj = rod.strains.K[j], &Mj = rod.material_moment[j];
       K = std::max(K, Kj.norm()), M = std::max(M, Mj.norm());
       across = std::max(across, Kj.cross(Mj).norm());
     }
     return across <= 1e-9 * K * M;
+  }
+
+  /// What tendons do in half cells has even powers if all stays in one plane.
+  static bool bends_about_one_axis(const RodSolution<Spatial>& rod) {
+    Vec3 most = Vec3::Zero();
+    for (const auto& K : rod.strains.K)
+      if (K.norm() > most.norm()) most = K;
+    return std::ranges::all_of(rod.strains.K, [&](const Vec3& K) {
+      return K.cross(most).norm() <= 1e-9 * most.squaredNorm();
+    });
   }
 
   void take_signs(const Rung& before) {

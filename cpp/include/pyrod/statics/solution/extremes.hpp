@@ -24,12 +24,18 @@ class Extremes {
 
   /// Of the cell of the next vertex: its turn u, and M = C (u/Δs − K⁰). Seen from the middle of the
   /// turn, the moment that the cell transmits is that of theory (23), but for u⁴.
-  void add_cell(const Spin<Space>& u, const Spin<Space>& M) {
+  /// `others`: what else than the diagonal law transmits.
+  void add_cell(const Spin<Space>& u, const Spin<Space>& M,
+                const Spin<Space>& others = Spin<Space>::Zero()) {
     const std::size_t j = K_.size();
-    Spin<Space> seen = M;
-    if constexpr (Space::spin == 3) seen -= u.cross(u.cross(M)) / 24;
-    K_.push_back((rod_.K0[j] + seen.cwiseQuotient(rod_.bending[j])).squaredNorm());
-    moment_.push_back(seen.squaredNorm());
+    const auto seen = [&u](const Spin<Space>& moment) {
+      Spin<Space> out = moment;
+      if constexpr (Space::spin == 3) out -= u.cross(u.cross(moment)) / 24;
+      return out;
+    };
+    const Spin<Space> own = seen(M);
+    K_.push_back((rod_.K0[j] + own.cwiseQuotient(rod_.bending[j])).squaredNorm());
+    moment_.push_back(others.isZero(0) ? own.squaredNorm() : seen(M + others).squaredNorm());
   }
   /// At an inner vertex; what is told at the ends takes the place of theirs.
   void set_force(int j, const Point<Space>& n) { force_[std::size_t(j)] = n.squaredNorm(); }
@@ -38,7 +44,9 @@ class Extremes {
   Largest largest(const RodSolution<Space>& s, int stride) {
     for (const int J : {0, rod_.edges() / stride}) {
       const Spin<Space> M = rotate_spin(s.vertex_frames[J].conjugate(), s.moment[J]);
-      take(J * stride, rod_.sides(J * stride).K_behind(M), s.vertex_force[J], s.moment[J]);
+      const Spin<Space> K =
+          s.backbone_force.empty() ? rod_.sides(J * stride).K_behind(M) : s.strains.K[J];
+      take(J * stride, K, s.vertex_force[J], s.moment[J]);
     }
     for (const auto& b : s.before)
       take(b.vertex * stride, s.strains.K[b.vertex], s.vertex_force[b.vertex], s.moment[b.vertex]);

@@ -7,6 +7,9 @@
 #include <pyrod/rod/rod.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
+#include <pyrod/scene/place.hpp>
+#include <pyrod/statics/equations/cell_terms.hpp>
+#include <pyrod/statics/equations/end_turn.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
 
@@ -28,8 +31,10 @@ class HalfCells {
  public:
   using Rotation = typename Space::Rotation;
 
-  HalfCells(const Layout<Space>& layout, const NetworkState<Space>& x, int rod)
+  HalfCells(const Layout<Space>& layout, const CellTerms<Space>& terms,
+            const NetworkState<Space>& x, int rod)
       : on_(layout.attached(rod)),
+        terms_(terms),
         loads_(layout.network().loads[rod]),
         r_(layout.network().rods[rod]),
         x_(x),
@@ -62,13 +67,13 @@ class HalfCells {
     out.moment_before =
         rotate_spin(curve.frames[before], transmitted_moment<Space>(u, C, on.K0_before, du));
     out.moment_behind = rotate_spin(h, transmitted_moment<Space>(v, D, on.K0_behind, dv));
+    add_terms(j, u, v, curve.frames[before], h, out);
     out.energy = (du * ΔU.dot(C.cwiseProduct(ΔU)) + dv * ΔV.dot(D.cwiseProduct(ΔV))) / 2;
     return out;
   }
 
   /// The frames that hold the ends; of a free end, the one that its last half cell turns to.
   void end_frames(CosseratCurve<Space>& curve) const {
-    const int n = r_.edges();
     const Rotation &first = curve.frames.front(), &last = curve.frames.back();
     if (r_.grid.closed()) {
       curve.start_frame = first * principal(last.conjugate() * first).conjugate();
@@ -79,22 +84,33 @@ class HalfCells {
       curve.start_frame = nearest(held_frame(x_, on_.front()), first);
     else
       curve.start_frame = moved(
-          first, turn_under_moment<Space>(rotate_spin(first.conjugate(), loads_.start_moment),
-                                          r_.bending[0], Spin<Space>(-r_.K0[0]), r_.grid.Δs(0)));
+          first, turn_of_end<Space>(terms_, r_, rod_, End::start,
+                                    rotate_spin(first.conjugate(), loads_.start_moment), false));
+    const bool follows = !loads_.follower_end_moment.isZero(0);
     if (on_.back().rigid)
       curve.end_frame = nearest(held_frame(x_, on_.back()), last);
-    else if (!loads_.follower_end_moment.isZero(0))
-      curve.end_frame =
-          moved(last, turn_under_moment_behind<Space>(loads_.follower_end_moment, r_.bending[n],
-                                                      r_.K0[n], r_.grid.Δs(n)));
     else
       curve.end_frame =
-          moved(last, turn_under_moment<Space>(rotate_spin(last.conjugate(), loads_.end_moment),
-                                               r_.bending[n], r_.K0[n], r_.grid.Δs(n)));
+          moved(last, turn_of_end<Space>(terms_, r_, rod_, End::end,
+                                         follows ? loads_.follower_end_moment
+                                                 : rotate_spin(last.conjugate(), loads_.end_moment),
+                                         follows));
   }
 
  private:
+  void add_terms(int j, const Spin<Space>& u, const Spin<Space>& v, const Rotation& before,
+                 const Rotation& held, HalvedCell<Space>& out) const {
+    if (terms_.none(rod_)) return;
+    const auto exerted = [&](const Rotation& q, CellKind kind, const Spin<Space>& turn) {
+      const Spin<Space> m = terms_.at(rod_, j, kind, turn).m;
+      return rotate_spin(q, Spin<Space>(typename Space::Differential(turn).T() * m));
+    };
+    out.moment_before += exerted(before, CellKind::before, u);
+    out.moment_behind += exerted(held, CellKind::behind, v);
+  }
+
   const std::vector<Attachment<Space>>& on_;
+  const CellTerms<Space>& terms_;
   const Loads<Space>& loads_;
   const Rod<Space>& r_;
   const NetworkState<Space>& x_;

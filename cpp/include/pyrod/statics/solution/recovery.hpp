@@ -5,7 +5,10 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/scene/network.hpp>
+#include <pyrod/statics/equations/cell_terms.hpp>
 #include <pyrod/statics/equations/network_problem.hpp>
+#include <pyrod/statics/equations/network_terms.hpp>
+#include <pyrod/statics/solution/backbone.hpp>
 #include <pyrod/statics/solution/edges_of_span.hpp>
 #include <pyrod/statics/solution/extremes.hpp>
 #include <pyrod/statics/solution/half_cells.hpp>
@@ -33,14 +36,18 @@ class Recovery {
  public:
   using Rotation = typename Space::Rotation;
 
-  Recovery(const NetworkProblem<Space>& problem, const NetworkState<Space>& x, int stride = 1)
+  /// `from_moments`: where there are tendons, too, K is told by moments as in theory (21).
+  Recovery(const NetworkProblem<Space>& problem, const NetworkState<Space>& x, int stride = 1,
+           bool from_moments = false)
       : problem_(problem),
         layout_(problem.layout()),
         net_(layout_.network()),
+        terms_(problem.terms(x)),
         x_(x),
         acting_(problem.acting(x, changed_)),
         sections_(problem.sections(x, acting_)),
-        stride_(stride) {}
+        stride_(stride),
+        from_moments_(from_moments) {}
 
   /// Fills in the rods and the nodes.
   void fill(Solution<Space>& out);
@@ -53,7 +60,7 @@ class Recovery {
     const auto& r = net_.rods[rod];
     const auto frames = x_.frames.begin() + layout_.edge(rod, 0);
     s.curve.frames.assign(frames, frames + r.edges());
-    HalfCells<Space> held(layout_, x_, rod);
+    HalfCells<Space> held(layout_, terms_, x_, rod);
     held.end_frames(s.curve);
     const auto vertices = std::size_t(r.grid.vertices()), kept = (vertices - 1) / stride_ + 1;
     const auto points = std::size_t(r.edges() / stride_) + 1;
@@ -66,22 +73,52 @@ class Recovery {
       if (const auto* a = held.inside(j))
         add_halves(s, held.cell(j, *a, s.curve));
       else
-        add_cell(s, r, j);
+        add_cell(s, rod, j);
     }
+    if (!terms_.none(rod)) measure_tendons(rod, s.curve);
     s.load_moment = load_moment(rod, s.curve);
   }
 
-  void add_cell(RodSolution<Space>& s, const Rod<Space>& r, int j) {
+  void add_cell(RodSolution<Space>& s, int rod, int j) {
+    const auto& r = net_.rods[rod];
     const double Δs = r.grid.Δs(j);
     const Spin<Space> u = turn(s.curve, j), ΔK = u / Δs - r.K0[j],
                       M = r.bending[j].cwiseProduct(ΔK);
     s.bend_twist_energy += Δs * ΔK.dot(M) / 2;
-    extremes_.back().add_cell(u, M);
+    Spin<Space> others = Spin<Space>::Zero();
+    if (!terms_.none(rod))
+      others = terms_
+                   .at(rod, j,
+                       j == 0           ? CellKind::behind
+                       : j == r.edges() ? CellKind::before
+                                        : CellKind::whole,
+                       u)
+                   .m;
+    extremes_.back().add_cell(u, M, others);
     if (!keeps(j)) return;
     s.strains.K.push_back(u / Δs);
     s.material_moment.push_back(M);
-    s.moment.push_back(rotate_spin(s.curve.frame_before(j),
-                                   transmitted_moment<Space>(u, r.bending[j], r.K0[j], Δs)));
+    Spin<Space> transmitted = transmitted_moment<Space>(u, r.bending[j], r.K0[j], Δs);
+    if (!terms_.none(rod)) transmitted += typename Space::Differential(u).T() * others;
+    s.moment.push_back(rotate_spin(s.curve.frame_before(j), transmitted));
+  }
+
+  /// Cell by cell.
+  void measure_tendons(int rod, const CosseratCurve<Space>& curve) {
+    tendons_.resize(net_.tendons.size());
+    const auto add = [&](int j, CellKind kind, const Spin<Space>& u) {
+      terms_.for_each_tendon(rod, j, kind, u, [&](int i, double T, const auto& length) {
+        auto& tendon = tendons_[std::size_t(i)];
+        tendon.tension = T, tendon.length += length.length;
+        tendon.slack = TendonRows<Space>::is_slack(x_, i);
+      });
+    };
+    for_each_cell(layout_, rod, [&](int j, CellKind kind, const Attachment<Space>* a) {
+      add(j, kind, turn_of_cell(layout_, x_, rod, j, kind, a));
+    });
+    const int n = net_.rods[rod].edges();
+    if (!layout_.attached(rod).front().rigid) add(0, CellKind::behind, turn(curve, 0));
+    if (!layout_.attached(rod).back().rigid) add(n, CellKind::before, turn(curve, n));
   }
 
   void add_halves(RodSolution<Space>& s, const HalvedCell<Space>& cell) {
@@ -195,18 +232,30 @@ class Recovery {
     const std::span force(sections_.data() + layout_.edge(rod, 0), std::size_t(r.edges()));
     const auto& loads = net_.loads[rod];
     Vertices<Space>(r, loads, std::move(on), stride_).see(s, force);
+    if (!terms_.none(rod)) tell_tendons(rod, s);
     s.largest = extremes_[rod].largest(s, stride_);
     if (stride_ > 1) s.curve.frames = centre_frames(r.grid, s.curve, stride_);
+  }
+
+  void tell_tendons(int rod, RodSolution<Space>& s) {
+    const Backbone<Space> backbone(terms_, net_.rods[rod], rod, stride_);
+    backbone.tell(s, from_moments_);
+    for (int i = 0; i < int(net_.tendons.size()); ++i)
+      if (const auto& tendon = net_.tendons[std::size_t(i)]; tendon.rod == rod)
+        tendons_[std::size_t(i)].force_on_base = backbone.pull(s, i, tendon.first);
   }
 
   const NetworkProblem<Space>& problem_;
   const Layout<Space>& layout_;
   const Network<Space>& net_;
+  CellTerms<Space> terms_;
   const NetworkState<Space>& x_;
   typename NetworkProblem<Space>::Acting changed_;
   const typename NetworkProblem<Space>::Acting& acting_;
   std::vector<Point<Space>> sections_;  ///< n on all edges
   int stride_;
+  bool from_moments_;
+  std::vector<TendonSolution<Space>> tendons_;
   std::vector<Extremes<Space>> extremes_;  ///< of each rod
   std::vector<HalvedCell<Space>> before_;  ///< rod by rod, along each
 };
@@ -220,6 +269,7 @@ void Recovery<Space>::fill(Solution<Space>& out) {
   place(out);
   react(out);
   for (std::size_t rod = 0; rod < rods; ++rod) finish(int(rod), out.rods[rod]);
+  out.tendons = std::move(tendons_);
 }
 
 }  // namespace pyrod

@@ -40,6 +40,7 @@ struct RodSolution {
   std::vector<Spin<Space>> material_moment;             ///< M = C (K − K0)
   std::vector<typename Space::Rotation> vertex_frames;  ///< between the edges'; see `Vertices`
   std::vector<Point<Space>> vertex_force;               ///< n at the vertices
+  std::vector<Point<Space>> backbone_force;             ///< without tendons'; none: there are none
   std::vector<Before<Space>> before;                    ///< inner vertices, in their order
   std::vector<Point<Space>> load;                       ///< what acts on the vertices
   Spin<Space> load_moment = Spin<Space>::Zero();        ///< sum of the moments that act on the rod
@@ -88,6 +89,7 @@ RodSolution<Spatial> placed(const RodSolution<Space>& local, const Placement<Spa
   to_space(local.load, out.load, vector);
   to_space(local.vertex_frames, out.vertex_frames, frame);
   to_space(local.vertex_force, out.vertex_force, vector);
+  to_space(local.backbone_force, out.backbone_force, vector);
   to_space(local.moment, out.moment, [&](const auto& m) -> Vec3 { return R * embed_spin(m); });
   to_space(local.strains.K, out.strains.K, [](const auto& K) -> Vec3 { return embed_spin(K); });
   to_space(local.strains.Γ, out.strains.Γ, [](const auto& Γ) -> Vec3 { return embed(Γ); });

@@ -34,10 +34,19 @@ struct Course {
   bool converged() const { return status == Status::converged; }
 };
 
+/// A tendon in equilibrium.
+template <class Space>
+struct TendonSolution {
+  double tension = 0, length = 0;
+  bool slack = false;                                 ///< longer than its way, of given length
+  Point<Space> force_on_base = Point<Space>::Zero();  ///< what it exerts where it begins
+};
+
 template <class Space>
 struct Solution : Course {
   std::vector<RodSolution<Space>> rods;
   std::vector<NodeSolution<Space>> nodes;
+  std::vector<TendonSolution<Space>> tendons = {};
   std::vector<Spin<Space>> mode;  ///< of the edges, material [rad]; if asked for, or neutral
 };
 
@@ -52,6 +61,9 @@ Solution<Spatial> placed(Solution<Space>&& local, const Placement<Spatial>& at) 
     out.nodes.push_back({at.position + rotate(at.frame, embed(v.position)),
                          rotate(at.frame, embed(v.reaction_force)), at.frame * embed(v.frame),
                          rotate(at.frame, embed_spin(v.reaction_moment))});
+  for (const auto& tendon : local.tendons)
+    out.tendons.push_back({tendon.tension, tendon.length, tendon.slack,
+                           Vec3(rotate(at.frame, embed(tendon.force_on_base)))});
   out.mode.reserve(local.mode.size());
   for (const auto& φ : local.mode) out.mode.push_back(embed_spin(φ));
   return out;

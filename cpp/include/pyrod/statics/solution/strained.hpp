@@ -26,6 +26,7 @@ class Strained {
       : problem_(problem), layout_(problem.layout()), net_(layout_.network()), x_(x) {}
 
   bool perhaps() const {
+    if (problem_.has_terms()) return true;
     for (int rod = 0; rod < int(net_.rods.size()); ++rod)
       if (turned(rod)) return true;
     return stretched();

@@ -19,6 +19,7 @@
 #include <pyrod/statics/solution/uncertainty.hpp>
 #include <pyrod/statics/solving/network_options.hpp>
 #include <pyrod/statics/solving/posed.hpp>
+#include <pyrod/statics/solving/slack_tendons.hpp>
 #include <pyrod/statics/start/false_shapes.hpp>
 #include <pyrod/statics/start/moving_supports.hpp>
 #include <pyrod/statics/start/start.hpp>
@@ -85,6 +86,7 @@ class GridSolve {
     else if (resort && !search_.converged() && !search_.interrupted())
       bring_on_loads(start), look_there();
     if (open && !estimate && search_.converged()) untie_false_shapes();
+    settle_tendons();
     finish();
   }
 
@@ -128,6 +130,16 @@ class GridSolve {
     if (search_.converged()) newton_.look_at(search_.state);
   }
 
+  /// Tendons of given length do not push: those that would are slack, until they are too short
+  /// again.
+  void settle_tendons() {
+    const int most = 2 * int(layout_.network().tendons.size()) + 4;
+    for (int i = 0; search_.converged() && settle(problem_, search_.state); ++i) {
+      search_.keep(newton_.solve(search_.state, Hessian::exact));
+      if (i == most && search_.converged()) search_.found.status = Status::stalled;
+    }
+  }
+
   void untie_false_shapes() {
     if (!untie(layout_, search_.state)) return;
     search_.keep(newton_.solve(search_.state, Hessian::exact));
@@ -136,8 +148,10 @@ class GridSolve {
   }
 
   void finish() {
-    for (int i = 0; i < 6 && more_.stable && search_.converged() && search_.found.index > 0; ++i)
+    for (int i = 0; i < 6 && more_.stable && search_.converged() && search_.found.index > 0; ++i) {
       if (!descend()) break;
+      settle_tendons();
+    }
     auto& found = search_.found;
     found.fill = newton_.fill();
     found.unknowns = layout_.unknowns();

@@ -187,11 +187,12 @@ class NetworkSolver {
   Search<Space> search_;
 };
 
-/// What was found says this, see `Recovery` for the stride.
+/// What was found says this, see `Recovery` for the rest.
 template <class Space>
-Solution<Space> told(const Posed<Space>& posed, const Found<Space>& found, int stride = 1) {
-  Solution<Space> out{found, {}, {}, found.mode};
-  Recovery<Space>(posed.problem(), found.state, stride).fill(out);
+Solution<Space> told(const Posed<Space>& posed, const Found<Space>& found, int stride = 1,
+                     bool from_moments = false) {
+  Solution<Space> out{found, {}, {}, {}, found.mode};
+  Recovery<Space>(posed.problem(), found.state, stride, from_moments).fill(out);
   return out;
 }
 

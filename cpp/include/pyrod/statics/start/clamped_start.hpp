@@ -31,7 +31,7 @@ class ClampedStart {
 
   NetworkState<Space> state() const;
 
-  /// Whether `state` is a solution: no forces act.
+  /// Whether `state` is a solution: neither forces nor tendons act.
   bool exact() const;
 
   /// Without any force.
@@ -118,6 +118,7 @@ auto ClampedStart<Space>::under_moments() const -> NetworkState<Space> {
 template <class Space>
 bool ClampedStart<Space>::exact() const {
   const auto none = [](const auto& F) { return F.isZero(0); };
+  if (!net_.tendons.empty()) return false;
   for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
     const auto& loads = net_.loads[rod];
     if (!std::ranges::all_of(loads.force, none)) return false;

@@ -249,6 +249,10 @@ Network<Space> coarsened(const Network<Space>& fine, int edges) {
     out.rods.push_back(detail::merged(fine.rods[rod], grids[rod]));
     out.loads.push_back(detail::merged(fine.loads[rod], grid, grids[rod]));
   }
+  for (const auto& tendon : fine.tendons) {
+    const auto& to = grids[std::size_t(tendon.rod)];
+    out.tendons.push_back(tendon.on(to.grid, [&](int j) { return to.vertex(j); }));
+  }
   for (auto& a : out.attachments) a.vertex = grids[std::size_t(a.rod)].vertex(a.vertex);
   return out;
 }

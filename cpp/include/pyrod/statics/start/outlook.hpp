@@ -151,6 +151,8 @@ void Outlook<Space>::carry_on(const State& before, double part, State& out) {
   go_on(out.forces, before.forces);
   go_on(out.positions, before.positions);
   go_on(out.hinge_angles, before.hinge_angles);
+  if (out.tensions.size() == before.tensions.size() && out.slack == before.slack)
+    go_on(out.tensions, before.tensions);
   for (std::size_t v = 0; v < out.node_frames.size(); ++v) {
     const Components<Rotation> q = detail::components(out.node_frames[v]),
                                change = q - detail::components(before.node_frames[v]);

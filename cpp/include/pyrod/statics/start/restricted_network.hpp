@@ -117,8 +117,14 @@ Network<Space> restricted(const Network<Spatial>& net, const Placement<Spatial>&
     v.follower_moment = about_normal<Space>(node.follower_moment);
     v.spring = node.spring;
     v.torsion_spring = node.torsion_spring;
+    v.parts_cell = node.parts_cell;
     out.nodes.push_back(v);
   }
+  for (const auto& tendon : net.tendons)
+    require(Space::dim == 3 || tendon.off_plane() <= 1e-12 * tendon.largest_offset(),
+            "actuators: a tendon is ", tendon.off_plane(),
+            " off the plane of the directors a1 and a3; choose the spatial scene");
+  out.tendons = net.tendons;
   const Placement<Spatial> origin;
   for (const auto& a : net.attachments) {
     out.attachments.push_back({a.rod, a.vertex, a.node, a.rigid,

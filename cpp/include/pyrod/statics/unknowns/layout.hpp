@@ -66,6 +66,13 @@ class Layout {
   int turn_block(int node) const { return turn_block_[node]; }
   int place_block(int node) const { return place_block_[node]; }
   int hinge_block(int hinge) const { return hinge_block_[hinge]; }
+  /// −1: its tension is given.
+  int tendon_block(int tendon) const { return tendon_block_[tendon]; }
+  /// The unit of its tension: what bends its rod by about a radian.
+  double unit_tension(int tendon) const {
+    const auto& one = network().tendons[tendon];
+    return rod_moment_[one.rod] / one.largest_offset();
+  }
   /// Number of the first unknown of a block, and of the frame of an edge.
   int row(int block) const { return rows_[block]; }
   int frame_row(int e) const { return rows_[frame_block_[e]]; }
@@ -74,6 +81,7 @@ class Layout {
   int multipliers() const {
     int sum = 0;
     for (const auto& span : spans()) sum += int(span.open.cols());
+    for (const int block : tendon_block_) sum += block >= 0;
     return sum;
   }
   /// Numbers of the first and the last edge of a span among all edges.
@@ -94,8 +102,8 @@ class Layout {
   /// Every rod is clamped, and the loads tell all section forces: only frames of edges are unknown,
   /// and they have a potential of their own without any multiplier, Linn B.5.
   bool determinate() const { return determinate_; }
-  /// Blocks before it belong to spans, and those from it on to nodes, or to frames that stand by
-  /// themselves.
+  /// Blocks before it belong to spans, and those from it on to tendons, then to nodes, or to frames
+  /// that stand by themselves.
   int first_node_block() const { return first_node_block_; }
   const BlockPattern& pattern() const { return pattern_; }
   /// Of the blocks.
@@ -160,6 +168,8 @@ class Layout {
       if (span.open.cols() > 0) span.block = new_block(int(span.open.cols()));
     }
     first_node_block_ = pattern_.blocks();
+    for (const auto& tendon : cut.network.tendons)
+      tendon_block_.push_back(tendon.length ? new_block(1) : -1);
     const int nodes = int(cut.network.nodes.size());
     for (const int i : separators.order())
       if (i < nodes)
@@ -171,6 +181,7 @@ class Layout {
     couple_in_spans(cut, couplings);
     couple_through_nodes(cut, couplings);
     couple_with_nodes(cut, couplings);
+    couple_tendons(cut, couplings);
     pattern_ = BlockPattern(std::move(pattern_.sizes), couplings);
     rows_.assign(1, 0);
     for (const int size : pattern_.sizes) rows_.push_back(rows_.back() + size);
@@ -233,8 +244,28 @@ class Layout {
         if (place_block_[v] >= 0) add(span.block, place_block_[v]);
   }
 
+  /// With all frames along them, and with each other.
+  void couple_tendons(const Spans<Space>& cut, Couplings& couplings) const {
+    const auto add = [&](int I, int J) {
+      if (I >= 0 && J >= 0 && I != J) couplings.push_back(std::minmax(I, J));
+    };
+    for (std::size_t i = 0; i < tendon_block_.size(); ++i) {
+      const int block = tendon_block_[i];
+      const auto& tendon = cut.network.tendons[i];
+      for (int j = tendon.first; block >= 0 && j < tendon.last; ++j)
+        add(frame_block_[edge(tendon.rod, j)], block);
+      for (const auto& a : cut.attached[tendon.rod]) {
+        if (!a.rigid || a.vertex < tendon.first || a.vertex > tendon.last) continue;
+        add(turn_block_[a.node], block);
+        if (a.hinge) add(hinge_block_[a.hinge_number], block);
+      }
+      for (std::size_t k = 0; k < i; ++k)
+        if (cut.network.tendons[k].rod == tendon.rod) add(tendon_block_[k], block);
+    }
+  }
+
   KnownForces<Space> known_;
-  std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_;
+  std::vector<int> hinge_block_, frame_block_, turn_block_, place_block_, tendon_block_;
   std::vector<int> rows_;  ///< first of each block, and behind the last
   BlockPattern pattern_;
   int first_node_block_ = 0;
@@ -276,6 +307,7 @@ void Layout<Space>::take_numbers(Layout&& from) {
   frame_block_ = std::move(from.frame_block_);
   turn_block_ = std::move(from.turn_block_);
   place_block_ = std::move(from.place_block_);
+  tendon_block_ = std::move(from.tendon_block_);
   rows_ = std::move(from.rows_);
   pattern_ = std::move(from.pattern_);
   first_node_block_ = from.first_node_block_;

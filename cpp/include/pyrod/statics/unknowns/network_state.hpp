@@ -18,11 +18,14 @@ struct NetworkState {
   std::vector<Point<Space>> forces;     ///< of all spans: what the loads do not tell of them
   std::vector<Point<Space>> positions;  ///< of all nodes; meaningless where they are derived
   std::vector<double> hinge_angles;     ///< of all hinges
+  std::vector<double> tensions = {};    ///< of all tendons, where they are found; none: zero
+  std::vector<char> slack = {};         ///< of all tendons: too long to bear anything; none: none
 
   /// Memory it takes.
   std::size_t bytes() const {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return of(frames) + of(node_frames) + of(forces) + of(positions) + of(hinge_angles);
+    return of(frames) + of(node_frames) + of(forces) + of(positions) + of(hinge_angles) +
+           of(tensions);
   }
 };
 

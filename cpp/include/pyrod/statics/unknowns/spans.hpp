@@ -117,6 +117,7 @@ struct Spans {
           continue;
         const int n = network.rods[a.rod].edges();
         const bool end = !closed(a.rod) && (a.vertex == 0 || a.vertex == n);
+        if (node.parts_cell && !end) continue;
         if ((!end && !node.moment.isZero(0)) || !node.follower_moment.isZero(0)) continue;
         if (end)
           (a.vertex == 0 ? network.loads[a.rod].start_moment : network.loads[a.rod].end_moment) +=
