@@ -19,7 +19,7 @@ Equilibrium solve_random(double force, double curvature, double moment) {
   const int n = 64;
   const Vec3 bending(1, std::exp(1.15 * normal()), 0.6 * std::exp(0.5 * normal()));
   const Section section(bending[0], bending[1], bending[2]);
-  const auto rod = precurved(1.0, n, section, curvature * direction());
+  const auto rod = precurved(1.0, n, section, Vec3(curvature * direction()));
   std::vector<Load> loads{Force{force * direction()}};
   if (moment > 0) loads.push_back(Moment{moment * direction()});
   return solve(Scene({rod}, {Clamp{}}, loads));

@@ -42,12 +42,13 @@ def solve(problem: Problem, name: str, setting: Setting) -> list[Shape]:
     ready = scene(problem, name, setting.get("n"))
     built = clock()
     result = pyrod.solve(ready, tol=setting.get("tol"))
+    positions = np.asarray(result.positions)  # worked out when they are asked for
     done = clock()
-    some = thinned(len(result.positions) - 1)
+    some = thinned(len(positions) - 1)
     more: dict[str, Any] = {"energy": float(result.energy)}
     if problem.pose is not None and not problem.ring:
         more["force"] = [float(x) for x in result.force[0]]
-    s, r = np.asarray(result.s)[some], np.asarray(result.positions)[some]
+    s, r = np.asarray(result.s)[some], positions[some]
     return [Shape(done - built, built - began, s, r, True, result.iterations, more=more)]
 
 

@@ -53,12 +53,12 @@ void check_same(const Rung& a, const Rung& b) {
 TEST_CASE("a turn about the free axis is undone, however large") {
   const Vec3 axis = Vec3(1, 2, -2) / 3;
   const auto scene = bent(axis);
-  const Rung before(scene, 1, nullptr);
+  const Rung before(Solution<Spatial>(scene), 1, nullptr);
   for (const double angle : {0.1, 1., 3., -2.}) {
     Rung turned = before;
     detail::turn(turned, exp(Vec3(angle * axis)), before.rods[0].curve.positions[0]);
     REQUIRE(distance(turned.rods[0].curve.positions, before.rods[0].curve.positions) > 0.05);
-    undo_free_turn(turned, before, scene);
+    undo_free_turn(turned, before, scene.mode);
     check_same(turned, before);
   }
 }
@@ -88,19 +88,17 @@ TEST_CASE("all that is spatial turns") {
 
 TEST_CASE("other turns are none of its business") {
   const auto scene = bent(Vec3(1, 0, 0));
-  const Rung before(scene, 1, nullptr);
+  const Rung before(Solution<Spatial>(scene), 1, nullptr);
   Rung turned = before;
   detail::turn(turned, exp(Vec3(0, 0.3, 0)), before.rods[0].curve.positions[0]);
   SUBCASE("there is no mode") {
-    auto unknown = scene;
-    unknown.mode.clear();
     const Rung as_it_was = turned;
-    undo_free_turn(turned, before, unknown);
+    undo_free_turn(turned, before, {});
     check_same(turned, as_it_was);
   }
   SUBCASE("the mode bends the rod") {
-    auto bending = scene;
-    bending.mode[2] *= 1.01;
+    auto bending = scene.mode;
+    bending[2] *= 1.01;
     const Rung as_it_was = turned;
     undo_free_turn(turned, before, bending);
     check_same(turned, as_it_was);
@@ -110,7 +108,7 @@ TEST_CASE("other turns are none of its business") {
       return distance(turned.rods[0].curve.positions, before.rods[0].curve.positions);
     };
     const double first = away();
-    undo_free_turn(turned, before, scene);
+    undo_free_turn(turned, before, scene.mode);
     CHECK(away() > 0.3 * first);
   }
 }

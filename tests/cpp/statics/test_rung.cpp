@@ -123,15 +123,15 @@ TEST_CASE("without numbers of edges these stay") {
 
 TEST_CASE("frames take the signs of the rung before") {
   const auto scene = random_scene();
-  const Rung before(scene, 1, nullptr);
+  const Rung before(Solution<Spatial>(scene), 1, nullptr);
   auto turned = scene;
   negate(turned.rods[0].vertex_frames[2]);
   negate(turned.rods[1].curve.frames[1]);
   negate(turned.nodes[1].frame);
-  const Rung now(turned, 2, &before);
+  const Rung now(Solution<Spatial>(turned), 2, &before);
   CHECK((now.vertices() - before.vertices()).norm() == 0);
   CHECK((now.edges() - before.edges()).norm() == 0);
-  CHECK((Rung(turned, 2, nullptr).vertices() - before.vertices()).norm() > 1);
+  CHECK((Rung(std::move(turned), 2, nullptr).vertices() - before.vertices()).norm() > 1);
 }
 
 TEST_CASE("the expansion is even where every cell bends about its moment") {
@@ -139,7 +139,7 @@ TEST_CASE("the expansion is even where every cell bends about its moment") {
   for (auto& rod : scene.rods)
     for (std::size_t j = 0; j < rod.strains.K.size(); ++j)
       rod.material_moment[j] = 3 * rod.strains.K[j];
-  CHECK(Rung(scene, 1, nullptr).one_axis);
+  CHECK(Rung(Solution<Spatial>(scene), 1, nullptr).one_axis);
   scene.rods[1].material_moment[1] += Vec3(1e-6, 0, 0);
-  CHECK_FALSE(Rung(scene, 1, nullptr).one_axis);
+  CHECK_FALSE(Rung(std::move(scene), 1, nullptr).one_axis);
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -43,47 +44,38 @@ struct Extrapolated {
 class Extrapolation {
  public:
   /// `levels`: results on successively halved grids, the coarsest first.
-  Extrapolation(const std::vector<Vector>& levels, const Judgement& judgement)
-      : judgement_(judgement), last_(int(levels.size()) - 1), weights_(levels[0].size()) {
-    weights_.setZero();
+  Extrapolation(std::span<const Vector> levels, Judgement judgement)
+      : judgement_(std::move(judgement)),
+        last_(int(levels.size()) - 1),
+        weights_(Vector::Zero(levels[0].size())) {
     for (const auto& row : judgement_.rows)
       weights_.segment(row.first, row.width).setConstant(1 / judgement_.scales[row.quantity]);
-    columns_.push_back(levels);
+    columns_.reserve(levels.size());
+    auto& grids = columns_.emplace_back(weights_.size(), last_ + 1);
+    for (int k = 0; k <= last_; ++k) grids.col(k) = levels[std::size_t(k)];
   }
 
-  Extrapolated result() {
-    Extrapolated out;
-    out.values = columns_[0].back();
-    out.errors.assign(judgement_.scales.size(), std::numeric_limits<double>::infinity());
-    if (last_ < 2) return out;
-    const double change = size(difference(0, last_)), ratio = shrinking(0);
-    out.order = -std::log2(std::abs(ratio));
-    if (change < 30 * judgement_.noise) {
-      out.regular = true;
-      out.errors = sizes(2 * difference(0, last_));
-      return bounded(out);
-    }
-    eliminate();
-    out.regular = ratio > 0.22 && ratio < 0.28 && even_as_told();
-    if (!out.regular) return plain(out);
-    out.values = columns_[last_ - 1].back();
-    out.errors = corrections();
-    return bounded(out);
-  }
+  Extrapolated result();
 
   /// Of two grids alone, by the word of the caller that the errors are of second order.
-  Extrapolated trusted() {
-    if (last_ != 1) return result();
-    Extrapolated out;
-    out.values = columns_[0].back();
-    out.regular = true;
-    out.errors = sizes(2. / 3 * difference(0, 1));
-    return bounded(out);
-  }
+  Extrapolated trusted();
 
  private:
+  /// Of column m of the tableau.
+  auto finest(int m) const { return columns_[std::size_t(m)].col(last_ - m); }
+  auto coarsest(int m) const { return columns_[std::size_t(m)].col(0); }
+
   /// Grid k less grid k − 1, in column m of the tableau.
-  Vector difference(int m, int k) const { return columns_[m][k - m] - columns_[m][k - m - 1]; }
+  auto difference(int m, int k) const {
+    const auto& column = columns_[std::size_t(m)];
+    return column.col(k - m) - column.col(k - m - 1);
+  }
+
+  /// Of a vector, or what is computed when it is asked for.
+  template <class V>
+  auto weighted(const V& v) const {
+    return v.cwiseProduct(weights_);
+  }
 
   /// 2^p − 1 and p of the power that column m eliminates.
   int power(int m) const { return judgement_.even ? 2 * (m + 1) : m + 2; }
@@ -91,16 +83,16 @@ class Extrapolation {
 
   /// Column m + 1 from column m: T + (T − T of the coarser grid)/(2^p − 1).
   void eliminate() {
-    for (int m = 0; m < last_; ++m) {
-      columns_.emplace_back();
-      for (int k = m + 1; k <= last_; ++k)
-        columns_[m + 1].push_back(columns_[m][k - m] + difference(m, k) / divisor(m));
+    for (int m = 0; m < last_ - 1; ++m) {
+      const auto& T = columns_.back();
+      const auto finer = T.rightCols(last_ - m), coarser = T.leftCols(last_ - m);
+      columns_.push_back(finer + (finer - coarser) / divisor(m));  // there is room: T stays
     }
   }
 
   /// The last difference of column m over the one before, as far as they are parallel.
   double shrinking(int m) const {
-    const Vector now = weighted(difference(m, last_)), before = weighted(difference(m, last_ - 1));
+    const auto now = weighted(difference(m, last_)), before = weighted(difference(m, last_ - 1));
     const double square = before.squaredNorm();
     return square > 0 ? now.dot(before) / square : 0;
   }
@@ -126,7 +118,7 @@ class Extrapolation {
     const double early = m > 1 ? 1 + 20 * std::abs(4 * shrinking(0) - 1) : 1;
     const double caution = 1.5 * early * ratio / (1 - ratio);
     const Vector now = caution * difference(m, last_);
-    const Vector before = caution * divisor(m) * (columns_[m].front() - columns_[m - 1].front());
+    const Vector before = caution * divisor(m) * (coarsest(m) - coarsest(m - 1));
     const double smaller = size(before) > 0 ? std::min(1., size(now) / size(before)) : 1;
     auto errors = sizes(now);
     const auto earlier = sizes(0.4 * smaller * before);
@@ -142,7 +134,7 @@ class Extrapolation {
 
   /// The finest grid as it is; its error from how the last three differences shrink.
   Extrapolated plain(Extrapolated& out) const {
-    out.values = columns_[0].back();
+    out.values = finest(0);
     if (last_ < 4) return out;
     const auto norm = [&](int k) { return weighted(difference(0, k)).norm(); };
     const double before = norm(last_ - 1);
@@ -152,9 +144,8 @@ class Extrapolation {
     return bounded(out);
   }
 
-  Vector weighted(const Vector& v) const { return v.cwiseProduct(weights_); }
-
-  std::vector<double> sizes(const Vector& v) const {
+  template <class V>
+  std::vector<double> sizes(const V& v) const {
     std::vector<double> out(judgement_.scales.size(), 0);
     for (const auto& row : judgement_.rows)
       out[row.quantity] =
@@ -162,7 +153,10 @@ class Extrapolation {
     return out;
   }
 
-  double size(const Vector& v) const { return weighted(v).template lpNorm<Eigen::Infinity>(); }
+  template <class V>
+  double size(const V& v) const {
+    return weighted(v).template lpNorm<Eigen::Infinity>();
+  }
 
   Extrapolated bounded(Extrapolated& out) const {
     for (auto& error : out.errors) error = std::max(error, judgement_.noise);
@@ -172,8 +166,37 @@ class Extrapolation {
   Judgement judgement_;
   int last_;
   Vector weights_;
-  std::vector<std::vector<Vector>> columns_;
+  std::vector<Eigen::MatrixXd> columns_;  ///< of the tableau, the coarsest grid first
 };
+
+inline Extrapolated Extrapolation::result() {
+  Extrapolated out;
+  out.values = finest(0);
+  out.errors.assign(judgement_.scales.size(), std::numeric_limits<double>::infinity());
+  if (last_ < 2) return out;
+  const double change = size(difference(0, last_)), ratio = shrinking(0);
+  out.order = -std::log2(std::abs(ratio));
+  if (change < 30 * judgement_.noise) {
+    out.regular = true;
+    out.errors = sizes(2 * difference(0, last_));
+    return bounded(out);
+  }
+  eliminate();
+  out.regular = ratio > 0.22 && ratio < 0.28 && even_as_told();
+  if (!out.regular) return plain(out);
+  out.values = finest(last_ - 1);
+  out.errors = corrections();
+  return bounded(out);
+}
+
+inline Extrapolated Extrapolation::trusted() {
+  if (last_ != 1) return result();
+  Extrapolated out;
+  out.values = finest(0);
+  out.regular = true;
+  out.errors = sizes(2. / 3 * difference(0, 1));
+  return bounded(out);
+}
 
 /// What one number tends to; its error is relative.
 struct Limit {

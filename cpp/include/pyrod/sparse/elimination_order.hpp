@@ -165,7 +165,8 @@ inline double elimination_work(const BlockGraph& graph, const std::vector<int>& 
 /// The blocks of a graph in the order of their elimination.
 inline std::vector<int> elimination_order(const BlockGraph& graph) {
   constexpr int few = 50;  // for them minimum degree does
-  if (graph.blocks() <= 2) {
+  const auto count = std::ranges::count_if(graph.sizes, [](int size) { return size > 0; });
+  if (count <= 2) {
     std::vector<int> order(std::size_t(graph.blocks()));
     std::iota(order.begin(), order.end(), 0);
     return order;

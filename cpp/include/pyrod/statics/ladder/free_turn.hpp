@@ -6,7 +6,6 @@
 #include <pyrod/core/types.hpp>
 #include <pyrod/rotation/spatial.hpp>
 #include <pyrod/statics/ladder/rung.hpp>
-#include <pyrod/statics/solution/solution.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +17,15 @@ namespace pyrod {
 
 namespace detail {
 
-/// The axis about which everything turns in the mode of a neutral equilibrium, if it is that.
-inline std::optional<Vec3> free_axis(const Solution<Spatial>& solution) {
+/// The axis about which everything turns in a mode of the edges of all rods, if it is such a turn.
+inline std::optional<Vec3> free_axis(const Rung& rung, const std::vector<Vec3>& mode) {
   Vec3 sum = Vec3::Zero();
   std::vector<Vec3> turns;
   std::size_t edge = 0;
-  for (const auto& rod : solution.rods)
+  for (const auto& rod : rung.rods)
     for (const auto& q : rod.curve.frames) {
-      if (edge == solution.mode.size()) return std::nullopt;
-      turns.push_back(rotate(q, solution.mode[edge++]));
+      if (edge == mode.size()) return std::nullopt;
+      turns.push_back(rotate(q, mode[edge++]));
       sum += turns.back();
     }
   const Vec3 mean = sum / double(std::max<std::size_t>(turns.size(), 1));
@@ -55,9 +54,9 @@ inline void turn(Rung& rung, const Quaternion& by, const Vec3& centre) {
 }  // namespace detail
 
 /// Turns the rung about the free axis, through the start of the first rod, to where it is nearest
-/// to the rung before.
-inline void undo_free_turn(Rung& rung, const Rung& before, const Solution<Spatial>& solution) {
-  const auto axis = detail::free_axis(solution);
+/// to the rung before. `mode`: that of a neutral equilibrium.
+inline void undo_free_turn(Rung& rung, const Rung& before, const std::vector<Vec3>& mode) {
+  const auto axis = detail::free_axis(rung, mode);
   if (!axis) return;
   const Vec3 centre = rung.rods[0].curve.positions[0];
   double sine = 0, cosine = 0;

@@ -116,9 +116,10 @@ class Ladder {
     const bool other = !rungs_.empty() && !rungs_.back().same_places(solution_.rods);
     if (solution_.descents > 0 || solution_.index != index_ || other) forget();
     index_ = solution_.index;
-    rungs_.emplace_back(solution_, stride, rungs_.empty() ? nullptr : &rungs_.back());
+    const Rung* before = rungs_.empty() ? nullptr : &rungs_.back();
+    rungs_.push_back({std::move(solution_), stride, before});
     if (rungs_.size() > 1 && solution_.neutral)
-      undo_free_turn(rungs_.back(), rungs_[rungs_.size() - 2], solution_);
+      undo_free_turn(rungs_.back(), rungs_[rungs_.size() - 2], solution_.mode);
     numbers_.push_back(rungs_.back().vertices());
   }
 
@@ -165,10 +166,13 @@ class Ladder {
     return found;
   }
 
+  /// Of results without what is proportional to h, if corners make such, theory (27).
   Extrapolation extrapolation(const std::vector<Vector>& numbers, std::vector<Row> rows,
                               const ErrorScales& all, int first, int count, bool even) const {
-    return {from_second_order(numbers),
-            {std::move(rows), all.levelled(first, count), even, all.noise}};
+    Judgement judgement{std::move(rows), all.levelled(first, count), even, all.noise};
+    if (scene_.corners && !rungs_.back().one_axis && numbers.size() > 1)
+      return {from_second_order(numbers), std::move(judgement)};
+    return {numbers, std::move(judgement)};
   }
 
   /// How far along a soft mode the finest grid may be from its equilibrium: differences of grids,
@@ -190,9 +194,7 @@ class Ladder {
       add(what, turn * soft.push / of(what));
   }
 
-  /// Results without what is proportional to h, if corners make such, theory (27).
-  std::vector<Vector> from_second_order(const std::vector<Vector>& results) const {
-    if (!scene_.corners || rungs_.back().one_axis || results.size() < 2) return results;
+  static std::vector<Vector> from_second_order(const std::vector<Vector>& results) {
     std::vector<Vector> out;
     for (std::size_t k = 1; k < results.size(); ++k) out.push_back(2 * results[k] - results[k - 1]);
     return out;
@@ -235,27 +237,29 @@ class Ladder {
   Climbed finished(int level, Ended ended) {
     Climbed out;
     out.reached.errors.fill(std::numeric_limits<double>::infinity());
-    Rung rung = rungs_.empty() ? Rung(solution_, 1 << level, nullptr) : rungs_.back();
-    if (best_.level >= 0) {
-      out.reached.regular = best_.vertices.regular;
-      const auto edges = judge_edges();
-      rung.set(best_.vertices.values, edges.values);
-      std::copy(best_.vertices.errors.begin(), best_.vertices.errors.end(),
-                out.reached.errors.begin());
-      std::copy(edges.errors.begin(), edges.errors.end(),
-                out.reached.errors.begin() + vertex_quantities);
-      out.reached.errors[std::size_t(Quantity::extremes)] =
-          tell_extremes({rungs_.data(), best_.rungs}, scales().size, noise(), rung);
-    }
+    if (rungs_.empty()) rungs_.emplace_back(std::move(solution_), 1 << level, nullptr);
+    if (best_.level >= 0) tell_best(out.reached);
     out.reached.order = order_;
     out.reached.levels = level + 1;
     out.reached.edges = edges_ << level;
     out.reached.ended = ended;
-    finish(rung);
+    finish(rungs_.back());
     if (ended == Ended::failed || (solution_.converged() && !(best_.error <= tolerance_)))
       solution_.status = Status::not_accurate;
     out.solution = std::move(solution_);
     return out;
+  }
+
+  /// Puts what the best rungs say into the last.
+  void tell_best(Reached& out) {
+    const auto edges = judge_edges();
+    const auto sizes = scales().size;
+    out.regular = best_.vertices.regular;
+    rungs_.back().set(best_.vertices.values, edges.values);
+    std::ranges::copy(best_.vertices.errors, out.errors.begin());
+    std::ranges::copy(edges.errors, out.errors.begin() + vertex_quantities);
+    out.errors[std::size_t(Quantity::extremes)] =
+        tell_extremes({rungs_.data(), best_.rungs}, sizes, noise(), rungs_.back());
   }
 
   /// Puts the rung in the place of the finest grid, with what follows from its numbers.

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace pyrod {
@@ -61,14 +62,21 @@ void visit_edges(Rods& rods, Visit&& visit) {
 
 namespace detail {
 
-inline auto appending(std::vector<double>& out) {
-  return [&out](Quantity, const double* numbers, int width) {
-    out.insert(out.end(), numbers, numbers + width);
-  };
+/// All numbers that are visited, one after another, and places for more.
+template <class VisitAll>
+Vector gathered(const VisitAll& visit_all, Eigen::Index more) {
+  Eigen::Index size = more;
+  visit_all([&](Quantity, const double*, int width) { size += width; });
+  Vector out(size);
+  double* to = out.data();
+  visit_all(
+      [&](Quantity, const double* numbers, int width) { to = std::copy_n(numbers, width, to); });
+  return out;
 }
 
-inline auto listing(std::vector<Row>& out, int first_quantity) {
-  return [&out, first_quantity, place = 0](Quantity what, const double*, int width) mutable {
+/// `place`: of the first number, and in the end behind the last.
+inline auto listing(std::vector<Row>& out, int& place, int first_quantity) {
+  return [&out, &place, first_quantity](Quantity what, const double*, int width) {
     if (what != Quantity::unjudged) out.push_back({place, width, int(what) - first_quantity});
     place += width;
   };
@@ -104,10 +112,10 @@ struct Rung {
   int stride;
   bool one_axis = true;  ///< every cell bends about the axis of its moment: errors have even powers
 
-  /// `solution`: as told at the vertices of the coarsest grid, of whose edges its own are
-  /// `parts`-ths.
-  Rung(const Solution<Spatial>& solution, int parts, const Rung* before)
-      : rods(solution.rods), nodes(solution.nodes), stride(parts) {
+  /// Takes the rods and the nodes of `solution`, as told at the vertices of the coarsest grid, of
+  /// whose edges its own are `parts`-ths.
+  Rung(Solution<Spatial>&& solution, int parts, const Rung* before)
+      : rods(std::move(solution.rods)), nodes(std::move(solution.nodes)), stride(parts) {
     for (const auto& rod : rods) one_axis = one_axis && bends_about_its_moment(rod);
     if (before) take_signs(*before);
   }
@@ -128,26 +136,26 @@ struct Rung {
 
   /// The energy of all rods comes last: errors of theirs may add up.
   Vector vertices() const {
-    std::vector<double> out;
-    visit_vertices(rods, nodes, detail::appending(out));
-    out.push_back(energy());
-    return Eigen::Map<Vector>(out.data(), Eigen::Index(out.size()));
+    const auto visit_all = [this](const auto& visit) { visit_vertices(rods, nodes, visit); };
+    Vector out = detail::gathered(visit_all, 1);
+    out[out.size() - 1] = energy();
+    return out;
   }
   Vector edges() const {
-    std::vector<double> out;
-    visit_edges(rods, detail::appending(out));
-    return Eigen::Map<Vector>(out.data(), Eigen::Index(out.size()));
+    return detail::gathered([this](const auto& visit) { visit_edges(rods, visit); }, 0);
   }
 
   std::vector<Row> vertex_rows() const {
     std::vector<Row> out;
-    visit_vertices(rods, nodes, detail::listing(out, 0));
-    out.push_back({int(vertices().size()) - 1, 1, int(Quantity::energy)});
+    int end = 0;
+    visit_vertices(rods, nodes, detail::listing(out, end, 0));
+    out.push_back({end, 1, int(Quantity::energy)});
     return out;
   }
   std::vector<Row> edge_rows() const {
     std::vector<Row> out;
-    visit_edges(rods, detail::listing(out, vertex_quantities));
+    int end = 0;
+    visit_edges(rods, detail::listing(out, end, vertex_quantities));
     return out;
   }
 

@@ -12,6 +12,7 @@
 #include <pyrod/statics/unknowns/known_forces.hpp>
 #include <pyrod/statics/unknowns/spans.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace pyrod {
@@ -33,6 +34,7 @@ class Separators {
     for (int v = 0; v < nodes; ++v) graph.add(size_of(v), place_of(v));
     for (std::size_t p = 0; p < cut_.spans.size(); ++p)
       graph.add(parted_[p] ? Space::spin : 0, place_of(cut_.spans[p].start));
+    if (std::ranges::all_of(graph.sizes, [](int size) { return size == 0; })) return {};
     couple_along_rods(graph);
     graph.compress();
     auto order = elimination_order(graph);
