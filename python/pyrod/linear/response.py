@@ -36,7 +36,8 @@ def linearised(result: Equilibrium) -> Linearised:
     ValueError
         It is no equilibrium.
     SingularEquilibrium
-        A mode has no stiffness: at a critical load, or where something may move freely.
+        A mode has no stiffness: at a critical load. (Where something may move freely there are
+        derivatives of all that the motion does not change.)
     """
     return Linearised(result)
 
@@ -49,9 +50,10 @@ class Linearised:
     ``R <- R exp(phi)``; ``"rotations"`` of the vertices in space, what moments work on;
     ``"K"``, ``"moment"``, ``"Gamma"``, ``"force"``; ``"tip"``, ``"tip_frame"``; ``"energy"``;
     ``"reactions.0.force"`` and ``"reactions.0.moment"``; ``"tendons.0.length"`` and
-    ``"tendons.0.tension"``. With several rods say ``"rods.1.positions"``. NaN is told where there
-    is no derivative, or where it is not known: at vertices where a section jumps or a moment acts
-    that no node takes, and for forces that are not determined.
+    ``"tendons.0.tension"``. With several rods say ``"rods.1.positions"``; ``"multipliers"`` are the
+    section forces with which spans begin. NaN is told where there is no derivative, or where it is
+    not known: at vertices where a section jumps or a moment acts that no node takes, for forces
+    that are not determined, and for what moves freely.
 
     Names of what changes are the paths of scenes, as in `sweep`: ``"loads.0.force"``,
     ``"supports.1.position"``, ``"supports.1.frame"`` (a rotation vector in its components),
@@ -83,6 +85,11 @@ class Linearised:
         self, weights: Mapping[str, Any], wrt: str | Iterable[str] | None = None
     ) -> dict[str, Array]:
         """The gradient of a weighted sum of outputs, in all that the scene consists of at once.
+
+        With a tolerance outputs are those at vertices of the scene's own edges, and gradients in
+        arrays along rods those in the scene's own numbers, between which finer edges interpolate.
+        NaN: what pushes along a free motion, or leaves the plane of a planar scene; without ``wrt``
+        also what rounding of a taut rod's length changes, which is refused by name.
 
         Parameters
         ----------

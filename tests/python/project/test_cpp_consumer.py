@@ -16,6 +16,7 @@ pytestmark = pytest.mark.outside
 
 SOURCE = Path(__file__).parents[3]
 EXAMPLE = SOURCE / "examples" / "cpp"
+BENCHMARKS = SOURCE / "benchmarks"
 ONE_FILE = """
 #include <pyrod/sparse/ldlt.hpp>
 #include <cstdio>
@@ -171,6 +172,12 @@ def test_a_static_cholmod_is_linked_with_all_it_needs(tmp_path: Path, compiler: 
     assert "libcholmod" not in output("ldd", build / "program")
 
 
+def folders() -> list[str]:
+    """Where headers are found."""
+    system = [f"-isystem/usr/include/{name}" for name in ("eigen3", "suitesparse")]
+    return [f"-I{pyrod.get_include()}", *system]
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("standard", ["c++20", "c++23"])
 @pytest.mark.parametrize("compiler", ["g++", "clang++"])
@@ -179,12 +186,16 @@ def test_headers_compile_without_warnings(compiler: str, standard: str, tmp_path
         pytest.skip(f"there is no {compiler} here")
     source = tmp_path / "program.cpp"
     source.write_text("#include <pyrod/pyrod.hpp>\n" + ONE_FILE)
-    folders = [f"-I{pyrod.get_include()}"]
-    folders += [f"-isystem/usr/include/{name}" for name in ("eigen3", "suitesparse")]
     warnings = [*WARNINGS, *(["-Wno-sign-conversion"] if compiler == "clang++" else [])]
     # Old compilers know C++23 by its working name.
     version = standard.replace("c++23", "c++2b")
-    output(compiler, f"-std={version}", *folders, *warnings, "-fsyntax-only", source)
+    output(compiler, f"-std={version}", *folders(), *warnings, "-fsyntax-only", source)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("program", sorted(p.name for p in BENCHMARKS.glob("*.cpp")))
+def test_benchmarks_compile(program: str, compiler: str) -> None:
+    output(compiler, "-std=c++20", *folders(), "-fsyntax-only", BENCHMARKS / program)
 
 
 @pytest.mark.long

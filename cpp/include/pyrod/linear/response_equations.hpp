@@ -57,10 +57,8 @@ class ResponseEquations {
   /// Throws where it would change the solution y. `noise`: energy that is
   /// nothing.
   void require_sure(const Vector& y, double noise);
-  /// By how much it changes the solution y; by as much as that is where nothing can be said.
-  void find_rounding(const Vector& y, Vector& change) {
-    if (!rounded_->find(y, change, solver())) change = y;
-  }
+  /// By how much it changes the solution y.
+  void find_rounding(const Vector& y, Vector& change) { rounded_->find(y, change, solver()); }
 
   /// out = Z v, the tangent beside its symmetric part, or Zᵀ v.
   void multiply_skew(const Vector& v, Vector& out, bool transposed);

@@ -123,8 +123,8 @@ class ResponseSteps {
     others(moved_).setZero();
     rows_.spread(λ, moved_);
     residual_.holds().multiply(moved_, moved_);
-    chains_.pull(moved_, told, numbers, state);
     numbers.rightCols(numbers.cols() - at_.numbers.of_edges()).setZero();
+    chains_.pull(moved_, told, numbers, state);
     told_.of_numbers().pull(told, numbers);
     residual_.of_numbers().pull(moved_, numbers);
     residual_.balance().pull(moved_, state);

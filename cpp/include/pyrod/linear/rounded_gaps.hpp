@@ -46,13 +46,16 @@ class RoundedGaps {
     return find(y, step_, solve) ? std::sqrt(energy(step_) / energy(y)) : 1;
   }
 
-  /// By how much the solution y moves; returns whether that is known.
+  /// By how much the solution y moves. Returns whether that is known; else it is by so much with
+  /// the least that the factor has added.
   template <class Solve>
   bool find(const Vector& y, Vector& change, const Solve& solve) {
     tangent_.factor().matrix().multiply(y, here_);
     rounded_.factor().matrix().multiply(y, beside_);
     beside_ -= here_;
-    return solve(beside_, change);
+    if (solve(beside_, change)) return true;
+    tangent_.factor().solve(beside_, change);
+    return false;
   }
 
  private:
