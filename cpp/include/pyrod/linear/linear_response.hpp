@@ -196,7 +196,7 @@ void LinearResponse<Space>::pull(const Change& from, Items<Space>& numbers) {
     require(
         !told_.unknown()[i] || from.told.col(i).isZero(0),
         "linear: derivatives beside a jump, or a moment inside of a rod, of curvatures, frames of "
-        "vertices and moments are not known there");
+        "vertices and moments are not known there, and of curvatures where tendons run to an end");
   for (const int p : equations_.undetermined())
     for (int e = layout_.first_edge(p); e <= layout_.last_edge(p); ++e)
       require(from.state.col(state_.force(e)).isZero(0),
