@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
+__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'Tendon', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
@@ -158,6 +158,10 @@ class Gravity:
     fields: typing.ClassVar[list] = ['acceleration']
     def __init__(self, *args) -> None:
         ...
+class Tendon:
+    fields: typing.ClassVar[list] = ['offset', 'tension', 'length', 'EA', 'start', 'end', 'rod']
+    def __init__(self, *args) -> None:
+        ...
 class Joint:
     fields: typing.ClassVar[list] = ['points', 'kind', 'turns', 'aligned', 'axis']
     def __init__(self, *args) -> None:
@@ -174,6 +178,9 @@ class RodSolution:
         ...
     @property
     def K_before(self) -> numpy.ndarray:
+        ...
+    @property
+    def backbone_force(self) -> numpy.ndarray:
         ...
     @property
     def bend_twist_energy(self) -> float:
@@ -278,13 +285,16 @@ class Equilibrium:
     def status(self) -> str:
         ...
     @property
+    def tendons(self) -> tuple:
+        ...
+    @property
     def unknowns(self) -> int:
         ...
 class Scene:
     """
     A scene that is ready to be solved.
     """
-    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity], space: str) -> None:
+    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity], actuators: collections.abc.Sequence[Tendon], space: str) -> None:
         ...
     def climbing_rods(self, given: collections.abc.Sequence[Rod]) -> list:
         """
@@ -326,7 +336,7 @@ class Solver:
         ...
     def forget(self) -> None:
         ...
-    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity]], options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
+    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity]], actuators: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Tendon]], options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...
     def solve_numbers(self, numbers: list, options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...

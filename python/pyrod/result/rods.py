@@ -26,7 +26,7 @@ class TendonEquilibrium(NamedTuple):
     tension: float  #: [N]
     length: float  #: along its way [m]
     force_on_base: Array
-    """(3,) what it exerts where it begins, in space [N]: there it is held, or pulled."""
+    """(3,) what it exerts where it begins, in space [N]."""
     slack: bool = False  #: of given length, and longer than its way, which ``length`` is
 
 
@@ -64,7 +64,7 @@ class RodEquilibrium(Lazy, Immutable):
     moment_before: Array  #: (n + 1, 3) the same; where it jumps, just before
     material_moment: Array  #: (n + 1, 3) C_bt (K - K0)
     backbone_force: Array
-    """(n + 1, 3) ``vertex_force`` without the tensions of tendons: what the rod itself carries [N].
+    """(n + 1, 3) section force without the tensions of tendons, what the rod itself carries [N].
 
     Its moment is ``material_moment``, where ``moment`` is that of all that a section transmits.
     """

@@ -119,12 +119,15 @@ class Tendon(Actuator):
 
 
 def sampled_tendon(tendon: Tendon, rods: tuple[Rod, ...]) -> Tendon:
-    """The same with a function replaced by a table of it, exact where the rod's grid asks."""
+    """The same with a function replaced by a table of it, exact where the rod's grid asks it."""
     if not callable(tendon.offset) or isinstance(tendon.offset, _Table):
         return tendon
     s = rods[tendon.rod].arc_lengths
     quarters = s[:-1, None] + np.diff(s)[:, None] * np.arange(4) / 4
-    places = np.append(quarters.ravel(), s[-1])
+    centres = quarters[:, 2]
+    middles = (centres[1:] + centres[:-1]) / 2  # of cells: on even edges these are vertices
+    uneven = middles[np.abs(middles - s[1:-1]) > 1e-9 * s[-1]]
+    places = np.sort(np.concatenate([quarters.ravel(), s[-1:], uneven]))
     return replace(tendon, offset=_Table(places, tendon.offsets(places)))
 
 

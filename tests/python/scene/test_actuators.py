@@ -102,7 +102,9 @@ def test_a_tip_moves_as_its_linear_response_says():
     ahead, behind = at(4 + step), at(4 - step)
     for name in ("positions", "K", "moment", "force"):
         slope = (getattr(ahead, name) - getattr(behind, name)) / (2 * step)
-        assert np.abs(told[name] - slope).max() < 1e-6 * max(np.abs(slope).max(), 1e-3)
+        rows = slice(1, -1) if name == "K" else slice(None)  # at the ends it is told by the moment
+        assert np.abs(told[name] - slope)[rows].max() < 1e-6 * max(np.abs(slope).max(), 1e-3)
+    assert np.isnan(told["K"][[0, -1]]).all()
     length = (ahead.tendons[0].length - behind.tendons[0].length) / (2 * step)
     assert told["tendons.0.length"] == pytest.approx(length, rel=1e-6)
     energy = (ahead.energy - behind.energy) / (2 * step)

@@ -149,7 +149,7 @@ void LinearResponse<Space>::require_known(const Change& from) const {
     require(
         from.told.col(i).isZero(0),
         "linear: derivatives beside a jump, or a moment inside of a rod, of curvatures, frames of "
-        "vertices and moments are not known there");
+        "vertices and moments are not known there, and of curvatures where tendons run to an end");
   for (const int p : equations_.undetermined())
     for (int e = at_.layout.first_edge(p); e <= at_.layout.last_edge(p); ++e)
       require(from.state.col(at_.state.force(e)).isZero(0),

@@ -60,24 +60,23 @@ class ToldMaps {
   /// `of`: of the moment in the cell.
   void tell_tensions(const CellOfNetwork<Space>& c, int to, const Block& of) {
     terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
-      add_tension(to, i, Spin<Space>(of * length.slope));
+      add_tension(to, i, of * length.slope);
     });
   }
 
   /// Of a tension, which is a number or a part of the state.
   template <class Change>
   void add_tension(int to, int tendon, const Change& change) {
-    if (at_.layout.tendon_block(tendon) < 0)
-      of_numbers_.add(to, at_.numbers.tendon(tendon), change);
-    else
-      of_state_.add(to, at_.state.tendon(tendon), change);
+    const bool given = at_.layout.tendon_block(tendon) < 0;
+    (given ? of_numbers_ : of_state_)
+        .add(to, given ? at_.numbers.tendon(tendon) : at_.state.tendon(tendon), change);
   }
 
   void tell_tendons(const CellOfNetwork<Space>& c) {
     terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
-      const Row slope = length.slope.transpose();
-      of_state_.add(at_.told.tendon_length(i), c.a, Row(-slope * c.T().transpose()));
-      of_state_.add(at_.told.tendon_length(i), c.b, Row(slope * c.T()));
+      const int to = at_.told.tendon_length(i);
+      of_state_.add(to, c.a, Row(-(c.T() * length.slope).transpose()));
+      of_state_.add(to, c.b, Row(length.slope.transpose() * c.T()));
     });
   }
 
@@ -124,8 +123,8 @@ class ToldMaps {
     const auto& grid = at_.net.rods[c.rod].grid;
     const bool inside = c.vertex > 0 && c.vertex < grid.edges();
     Spin<Space> K = c.u / c.length;
-    if (c.driven && c.kind == CellKind::behind && inside) {
-      unknown_.push_back(to);  // the tendons' part of the moment changes with it
+    if (c.driven && c.kind != CellKind::whole) {
+      unknown_.push_back(to);  // it is told by what tendons leave of the moment, theory (37)
       return;
     }
     if (c.kind == CellKind::behind && (inside || grid.closed())) {
@@ -191,6 +190,7 @@ class ToldMaps {
     tell_end_turn(rod, side, end, e, at_.told.energy(), Row(end.m.transpose()));
     for (const auto& [i, slope] : end.tendons)
       tell_end_turn(rod, side, end, e, at_.told.tendon_length(i), Row(slope.transpose()));
+    if (!end.tendons.empty()) unknown_.push_back(K);
     const Spin<Space> strain = end.w - end.rest;
     of_numbers_.add(at_.told.energy(), at_.numbers.end_stiffness(rod, side),
                     Row(strain.cwiseAbs2().transpose() / 2));
@@ -214,9 +214,7 @@ class ToldMaps {
     const double sign = end.start ? -1 : 1;
     of_numbers_.add(to, at_.numbers.end_stiffness(rod, side), Out(of * end.by_k));
     of_numbers_.add(to, at_.numbers.end_rest(rod, side), Out(sign * of * end.by_rest));
-    for (const auto& [i, slope] : end.tendons)
-      add_tension(to, i,
-                  Eigen::Matrix<double, A::RowsAtCompileTime, 1>(-of * end.by_total * slope));
+    for (const auto& [i, slope] : end.tendons) add_tension(to, i, -of * end.by_total * slope);
     if (end.follows) {
       of_numbers_.add(to, at_.numbers.end_following(rod), Out(of * end.by_moment));
       return;

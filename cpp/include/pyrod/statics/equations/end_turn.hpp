@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file The turn of the half cell at an end that nothing holds in its frame: theory (10)
-/// and (35).
+/// \file The turn of the half cell at an end that nothing holds in its frame, as theory
+/// (10) has it without tendons: theory (35).
 #pragma once
 
 #include <pyrod/rod/cell_kind.hpp>
