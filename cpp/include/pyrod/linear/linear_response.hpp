@@ -67,6 +67,17 @@ class LinearResponse {
   /// What a change of the numbers does. Items that are unknown here are NaN.
   void push(const Items<Space>& numbers, Change& out);
 
+  /// K δ = rhs in the rows of the unknowns, without what is added to the factor.
+  void solve(const Vector& rhs, Vector& δ) {
+    equations_.solve(rhs, δ, false);
+    if (equations_.doubtful()) equations_.require_sure(δ, 0);
+  }
+  /// Weights of these rows: the shares of length of frames, so that K v = λ diag(weights) v are the
+  /// modes of stability. Zero for multipliers.
+  Vector weights() const { return problem_.weights(); }
+  /// What changes of the unknowns are to all that is told.
+  void follow(const Vector& δ, Change& out);
+
   /// To the numbers, from what is told: the gradient of Σ from·told. Nothing may be asked of items
   /// that are unknown here.
   void pull(const Change& from, Items<Space>& numbers);
@@ -162,6 +173,16 @@ void LinearResponse<Space>::push_state(const Vector& δ, Items<Space>& state) {
   forces_.setZero();
   followed_.multiply(state, forces_);
   force_.multiply(forces_, state);
+}
+
+template <class Space>
+void LinearResponse<Space>::follow(const Vector& δ, Change& out) {
+  out.state.setZero(), out.told.setZero();
+  push_state(δ, out.state);
+  residual_.holds().multiply(out.state, out.state);
+  told_.of_state().multiply(out.state, out.told);
+  reach_ = out.told.leftCols(layout_.edges());
+  place_.multiply(out.state, reach_, out.positions);
 }
 
 template <class Space>

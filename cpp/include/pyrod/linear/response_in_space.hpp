@@ -52,12 +52,18 @@ class ResponseInSpace {
   SceneChange push(const Vector& numbers) {
     numbers_ = Eigen::Map<const Items<Space>>(numbers.data(), item_width<Space>, numbers_.cols());
     linear_.push(numbers_, change_);
-    SceneChange out = empty();
-    for_each(out, change_, [this](Vec3& told, const auto& item, auto kind) {
-      told = this->to_space(item, kind);
-    });
-    out.energy = change_.told(0, linear_.told_items().energy());
-    return out;
+    return told();
+  }
+
+  Vector weights() const { return linear_.weights(); }
+  Vector solved(const Vector& rows) {
+    Vector δ;
+    linear_.solve(rows, δ);
+    return δ;
+  }
+  SceneChange follow(const Vector& rows) {
+    linear_.follow(rows, change_);
+    return told();
   }
 
   Vector pull(const SceneChange& weights) {
@@ -79,6 +85,24 @@ class ResponseInSpace {
       for (int j = 0; j < int(forces[rod].size()); ++j)
         out.col(linear_.number_items().force(rod, j)).template head<dim>() =
             restrict_point<Space>(unrotate(turn(), forces[rod][j]));
+    return flat(out);
+  }
+
+  /// Of moments on the edges of all rods, in the components of their frames.
+  Vector of_moments(const std::vector<std::vector<Vec3>>& moments) const {
+    Items<Space> out = linear_.no_numbers();
+    for (int rod = 0; rod < int(moments.size()); ++rod)
+      for (int j = 0; j < int(moments[rod].size()); ++j)
+        out.col(linear_.number_items().following(posed_->layout().edge(rod, j)))
+            .template head<spin>() = restrict_spin<Space>(moments[rod][j]);
+    return flat(out);
+  }
+
+  /// Of a dead moment on a vertex, in space.
+  Vector of_moment(int rod, int vertex, const Vec3& moment) const {
+    Items<Space> out = linear_.no_numbers();
+    VertexLoads<Space>(posed_->layout(), rod, vertex)
+        .add_moment(restrict_spin<Space>(unrotate(turn(), moment)), out);
     return flat(out);
   }
 
@@ -149,6 +173,15 @@ class ResponseInSpace {
     require(found.converged(), "linearised: there is no equilibrium of these edges here, ",
             advice(found.status));
     return std::move(found.state);
+  }
+
+  SceneChange told() {
+    SceneChange out = empty();
+    for_each(out, change_, [this](Vec3& told, const auto& item, auto kind) {
+      told = this->to_space(item, kind);
+    });
+    out.energy = change_.told(0, linear_.told_items().energy());
+    return out;
   }
 
   const Quaternion& turn() const { return posed_->here().frame; }
