@@ -84,6 +84,13 @@ py::tuple limit(const std::vector<Array>& grids, bool even, double noise) {
   return py::make_tuple(array(found.values), scale * found.error(), found.regular);
 }
 
+/// Rows of each rod.
+std::vector<std::vector<Vec3>> of_each(const std::vector<Array>& rods, const char* name) {
+  std::vector<std::vector<Vec3>> out;
+  for (const auto& rod : rods) out.push_back(vectors<3>(rod, name));
+  return out;
+}
+
 Vector flat(const Array& numbers_given) { return numbers(numbers_given, "numbers"); }
 
 }  // namespace
@@ -100,11 +107,21 @@ void linear(py::module_& module) {
       .def(
           "of_forces",
           [](const Linearised& l, const std::vector<Array>& rods) {
-            std::vector<std::vector<Vec3>> forces;
-            for (const auto& rod : rods) forces.push_back(vectors<3>(rod, "forces"));
-            return array(l.of_forces(forces));
+            return array(l.of_forces(of_each(rods, "forces")));
           },
           py::arg("forces"))
+      .def(
+          "of_moments",
+          [](const Linearised& l, const std::vector<Array>& rods) {
+            return array(l.of_moments(of_each(rods, "moments")));
+          },
+          py::arg("moments"))
+      .def(
+          "of_moment",
+          [](const Linearised& l, int rod, int vertex, const Array& moment) {
+            return array(l.of_moment(rod, vertex, vector3(moment, "moment")));
+          },
+          py::arg("rod"), py::arg("vertex"), py::arg("moment"))
       .def(
           "of_motion",
           [](const Linearised& l, int support, const Array& shift, const Array& turn) {
@@ -152,6 +169,19 @@ void linear(py::module_& module) {
             return array(rows);
           },
           py::arg("rod"), py::arg("vertex"))
+      .def_property_readonly("weights", [](const Linearised& l) { return array(l.weights()); })
+      .def(
+          "solved",
+          [](const Linearised& l, const Array& rows) {
+            return array(l.solved(numbers(rows, "rows")));
+          },
+          py::arg("rows"))
+      .def(
+          "follow",
+          [](const Linearised& l, const Array& rows) {
+            return told(l.follow(numbers(rows, "rows")));
+          },
+          py::arg("rows"))
       .def_property_readonly("symmetric", &Linearised::symmetric);
 }
 

@@ -12,7 +12,7 @@ from gallery.style import drawn, save
 
 PICTURES = {
     "scenes": ("elastica", "twist", "ring", "dome", "frame", "arch"),
-    "howto": ("catheter", "cable", "column", "spring", "dna"),
+    "howto": ("catheter", "cable", "column", "spring", "modes", "dna"),
 }
 
 

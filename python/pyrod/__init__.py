@@ -13,7 +13,7 @@ from pyrod.base.folders import get_cmake_dir, get_include
 from pyrod.curve._warning import CurveWarning
 from pyrod.document.errors import SceneFileError
 from pyrod.files import load, save
-from pyrod.linear import Linearised, Modes, SingularEquilibrium, linearised
+from pyrod.linear import Linearised, Modes, SingularEquilibrium, StabilityModes, linearised
 from pyrod.models.choice import Choice, smallest_model
 from pyrod.models.effects import Effect, effect, out_of_plane_index
 from pyrod.models.solve import solve
@@ -32,7 +32,14 @@ from pyrod.rod.rod import Rod
 from pyrod.rod.section import Material, Section
 from pyrod.scene.actuators import Tendon
 from pyrod.scene.joints import Joint
-from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
+from pyrod.scene.loads import (
+    DistributedForce,
+    DistributedMoment,
+    Force,
+    Gravity,
+    Moment,
+    PointMass,
+)
 from pyrod.scene.planarity import Planarity, is_planar
 from pyrod.scene.scene import Scene
 from pyrod.scene.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring
@@ -68,6 +75,7 @@ __all__ = [
     "Outline",
     "Pivot",
     "Planarity",
+    "PointMass",
     "Reaction",
     "Rod",
     "RodEquilibrium",
@@ -79,6 +87,7 @@ __all__ = [
     "Slider",
     "Solver",
     "Spring",
+    "StabilityModes",
     "StrainWarning",
     "Sweep",
     "Tendon",

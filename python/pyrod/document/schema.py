@@ -25,7 +25,14 @@ from pyrod.rod.outline import Outline
 from pyrod.rod.section import Material, Model, Section
 from pyrod.scene.actuators import Tendon
 from pyrod.scene.joints import Joint
-from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Moment
+from pyrod.scene.loads import (
+    DistributedForce,
+    DistributedMoment,
+    Force,
+    Gravity,
+    Moment,
+    PointMass,
+)
 from pyrod.scene.scene import Scene, Space
 from pyrod.scene.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring
 
@@ -166,6 +173,13 @@ LOADS = OneOf(
             **_along,
         ),
         "gravity": Form.of("gravity", Gravity, acceleration=vector_in(u.ACCELERATION)),
+        "point_mass": Form.of(
+            "point mass",
+            PointMass,
+            mass=Number(u.MASS),
+            at=_AT,
+            inertia=Numbers(u.MOMENT_OF_INERTIA, ((3,), (3, 3))),
+        ),
     },
 )
 

@@ -37,6 +37,7 @@ BENDING_STIFFNESS = Dimension("bending stiffness", "N m^2", "2 N m^2")
 MASS_PER_LENGTH = Dimension("mass per length", "kg/m", "3 g/m")
 ACCELERATION = Dimension("acceleration", "m/s^2", "-9.81 m/s^2")
 MASS = Dimension("mass", "kg", "1 kg")
+MOMENT_OF_INERTIA = Dimension("moment of inertia", "kg m^2", "2 kg mm^2")
 TIME = Dimension("time", "s", "1 s")
 
 DIMENSIONS = tuple(d for d in list(globals().values()) if isinstance(d, Dimension))

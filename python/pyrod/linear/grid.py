@@ -63,10 +63,6 @@ class Grid:
         """What a change of the network's numbers does."""
         return Told(self._compiled.push(numbers), self.scene)
 
-    def under_forces(self, forces: list[Array]) -> Told:
-        """What small dead forces on the vertices of each rod do."""
-        return self.push(self._compiled.of_forces(forces))
-
     def jvp(self, changes: Mapping[str, Any]) -> Told:
         """What a change of the scene does."""
         numbers = [self.entry(path).numbers(v) for path, v in changes.items()]

@@ -228,7 +228,7 @@ def all_paths(scene: Scene) -> list[str]:
     """What has derivatives, and is no array along a rod but for those known all at once."""
     out = [f"rods.{i}.{name}" for i in range(len(scene.rods)) for name in FIELDS]
     for i, load in enumerate(scene.loads):
-        if not callable(load.acting) and np.ndim(load.acting) == 1:
+        if not callable(load.acting) and np.ndim(load.acting) <= 1:
             out.append(f"loads.{i}.{acting_name(load)}")
     for i, support in enumerate(scene.supports):
         out.append(f"supports.{i}.position")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,8 +10,10 @@ import numpy as np
 from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.linear.grid import Grid
+from pyrod.linear.inertia import Rotary
 from pyrod.linear.numbers import all_paths
 from pyrod.linear.rungs import Rungs, refuse_entries, refuse_of_one_grid
+from pyrod.linear.stability_modes import StabilityModes, stability_modes_of
 from pyrod.linear.told import Told
 from pyrod.linear.vibration import Modes, modes_of
 from pyrod.result.equilibrium import Equilibrium
@@ -158,18 +159,37 @@ class Linearised:
             raise ValueError(f"support: there are {len(self.scene.supports)}, got {support}")
         return self._rungs.limit("stiffness", lambda grid: grid.stiffness(support))
 
-    def modes(self, count: int = 6) -> Modes:
-        """The lowest modes of vibration about the equilibrium, see `Modes`."""
-        modes = modes_of(self._grid, count)
-        if not self._rungs.climbs:
-            return modes
-        names = [str(i) for i in range(count)]
-        limits = self._rungs.limits(
-            lambda grid: dict(zip(names, modes_of(grid, count).frequencies, strict=True))
-        )
-        told = np.array([limits[name] for name in names], dtype=float)
-        errors = np.abs(told) * [self.errors.pop(name) for name in names]
-        return replace(modes, frequencies=told, errors=errors)
+    def modes(self, count: int = 6, *, rotary: Rotary = False) -> Modes:
+        """The lowest modes of vibration about the equilibrium.
+
+        Masses are those of the sections, and of the scene's `PointMass`. By SciPy's methods of
+        Lanczos and, of loads without a potential, Arnoldi.
+
+        Parameters
+        ----------
+        count : int
+            How many.
+        rotary : bool, (3,) or (rods, 3) array [kg m]
+            Whether cross-sections resist turning, and torsion vibrates, too: by the outlines of the
+            sections; or moments of inertia per length about a1, a2, a3, of all rods or one row for
+            each. Bodies resist as their ``inertia`` says, anyway.
+
+        Raises
+        ------
+        ValueError
+            Rods without a mass, or without an outline; an unstable equilibrium under loads that
+            have a potential; fewer modes than asked for on these edges.
+        """
+        return modes_of(self._rungs, count, rotary)
+
+    def stability_modes(self, count: int = 6) -> StabilityModes:
+        """The motions in which the energy grows least, or falls most: the lowest modes of the
+        second variation, of which `Equilibrium` tells the first.
+
+        ``count`` is how many. Of loads without a potential, and where something may move freely,
+        there are none.
+        """
+        return stability_modes_of(self._rungs, count)
 
     def __repr__(self) -> str:
         return f"Linearised({self.scene!r})"

@@ -29,6 +29,7 @@ class Rungs:
         accuracy = first.result.accuracy
         self.climbs = accuracy is not None
         self._tol = accuracy.tol if accuracy else 0.0
+        self.first = first
         self._grids, self._errors = [first], errors
 
     def _grid(self, level: int) -> Grid:
@@ -64,6 +65,13 @@ class Rungs:
         self._errors.clear()
         self._errors.update(errors)
         return best
+
+    def judged(
+        self, of: Callable[[Grid], dict[str, Any]]
+    ) -> tuple[dict[str, Array], dict[str, float]]:
+        """The same and the relative errors, for answers that tell errors of their own."""
+        best = self.limits(of)
+        return best, {name: self._errors.pop(name) for name in best}
 
     def _limit(self, grids: list[Array]) -> tuple[Array, float]:
         known = np.isfinite(grids[-1])

@@ -92,6 +92,8 @@ def acting(scene: Scene, shapes: Sequence[Shape]) -> list[Arrow]:
 
 def _load_arrows(load: Any, scene: Scene, shapes: Sequence[Shape]) -> list[Arrow]:
     name, value = _first_field(load)
+    if not callable(value) and np.ndim(value) == 0:  # a mass, on which others act
+        return []
     if hasattr(load, "at"):
         number, s = on_rod(load.at, [rod.length for rod in scene.rods])
         frame = shapes[number][1][_nearest(scene, number, s)]
@@ -165,6 +167,7 @@ UNITS = {
     "force_per_length": "N/m",
     "moment_per_length": "N",
     "acceleration": "m/s²",
+    "mass": "kg",
 }
 
 

@@ -1,24 +1,78 @@
-"""How points move in the lowest mode, to first order."""
+"""How points move in a mode, to first order."""
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple, TypeVar
+
 import numpy as np
+from numpy.typing import NDArray
 
 from pyrod.base.immutable import Array
 from pyrod.result.equilibrium import Equilibrium
-from pyrod.rotation import rotate
+from pyrod.result.fields import between_edges
+from pyrod.rotation import exp, multiply, rotate
+
+Kind = TypeVar("Kind")
 
 LARGEST = 0.1  # displacement in pictures over the extent of the rods
+
+
+class Motion(NamedTuple):
+    """A small motion of an equilibrium, to be drawn; complex numbers tell phases, too."""
+
+    result: Equilibrium
+    moves: tuple[NDArray[Any], ...]  #: (n + 1, 3) displacements of the vertices of each rod
+    turns: tuple[NDArray[Any], ...]  #: (n, 3) rotation vectors of the edges in their components
+    title: str
+
+    def shapes(self, phase: float) -> list[Array]:
+        """(n + 1, 3) positions of each rod at a part of the period, moved so far that it is seen.
+
+        Half a period later they are on the other side.
+        """
+        factor = self._factor(phase)
+        pairs = zip(self.result.rods, self.moves, strict=True)
+        return [rod.positions + (factor * u).real for rod, u in pairs]
+
+    def frames(self, phase: float) -> list[Array]:
+        """(n + 1, 4) frames of the vertices there."""
+        factor, out = self._factor(phase), []
+        for rod, turns in zip(self.result.rods, self.turns, strict=True):
+            in_space = between_edges(rotate(rod.frames, (factor * turns).real))
+            out.append(multiply(exp(in_space), rod.vertex_frames))
+        return out
+
+    def _factor(self, phase: float) -> complex:
+        shapes = np.vstack([rod.positions for rod in self.result.rods])
+        return np.exp(2j * np.pi * phase) * _scale(shapes, np.vstack(self.moves))
+
+
+def displaced(motion: Motion, phase: float) -> Equilibrium:
+    """What pictures take for an equilibrium, moved; all but positions and frames is as it was."""
+    result = motion.result
+    places = zip(result.rods, motion.shapes(phase), motion.frames(phase), strict=True)
+    rods = tuple(_with(rod, positions=r, vertex_frames=q) for rod, r, q in places)
+    return _with(result, scene=result.scene, rods=rods)
+
+
+def _with(thing: Kind, **values: Any) -> Kind:
+    made = object.__new__(type(thing))
+    made.__dict__.update({**thing.__dict__, **values})
+    return made
 
 
 def shown_mode(result: Equilibrium, sign: int = 1) -> list[Array]:
     """(n + 1, 3) positions of each rod, displaced along the mode so far that it is seen."""
     shapes = [rod.positions for rod in result.rods]
     moves = mode_displacements(result)
-    extent = np.ptp(np.vstack(shapes), axis=0).max()
-    largest = np.linalg.norm(np.vstack(moves), axis=1).max()
-    scale = sign * LARGEST * extent / largest if largest > 1e-9 * extent else 0.0
+    scale = sign * _scale(np.vstack(shapes), np.vstack(moves))
     return [r + scale * u for r, u in zip(shapes, moves, strict=True)]
+
+
+def _scale(positions: Array, moves: NDArray[Any]) -> float:
+    extent = np.ptp(positions, axis=0).max()
+    largest = np.linalg.norm(moves, axis=1).max()
+    return float(LARGEST * extent / largest) if largest > 1e-9 * extent else 0.0
 
 
 def mode_displacements(result: Equilibrium) -> list[Array]:

@@ -61,12 +61,12 @@ def draw_lines(
     """A line through the vertices of each rod, on axes of equal scales."""
     lines = []
     for r in shapes:
-        lines += ax.plot(*_coordinates(result, r).T, **{**default, **style})
+        lines += ax.plot(*coordinates(result, r).T, **{**default, **style})
     _finish(result, ax, shapes)
     return lines
 
 
-def _coordinates(result: Equilibrium, r: Array) -> Array:
+def coordinates(result: Equilibrium, r: Array) -> Array:
     """In the plane of the scene: a3 of its first clamp to the right, a1 upwards; else in space."""
     if not in_plane(result):
         return r
@@ -88,7 +88,7 @@ def _draw_coloured(result: Equilibrium, ax: Any, by: Colouring, style: dict[str,
     shapes = [rod.positions for rod in result.rods]
     pieces, values = [], np.concatenate(by.values)
     for r in shapes:
-        pieces += list(_pieces(_coordinates(result, r), by.place))
+        pieces += list(_pieces(coordinates(result, r), by.place))
     look = {"linewidth": 3, "capstyle": "round", **style}
     if in_plane(result):
         lines = need("matplotlib.collections", "plot").LineCollection(pieces, array=values, **look)

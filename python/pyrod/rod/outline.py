@@ -10,15 +10,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import Array, finite, number, whole
-from pyrod.rod.polygons import Corners, corners, is_inside, signed_area
+from pyrod.rod.polygons import (
+    Corners,
+    corners,
+    first_moments,
+    is_inside,
+    second_moments,
+    signed_area,
+)
 
 
 @dataclass(frozen=True, repr=False)
 class Outline:
     """The outline of a cross-section, with a hole or without; see the makers.
 
-    Outlines are equal if they were made from the same numbers. They serve pictures and files of
-    solids only; stiffnesses are told by the `Section`.
+    Outlines are equal if they were made from the same numbers. They serve pictures, files of solids
+    and rotary inertia only; stiffnesses are told by the `Section`.
     """
 
     @staticmethod
@@ -90,6 +97,25 @@ class Outline:
         raise NotImplementedError
 
     @property
+    def second_moments(self) -> Array:
+        """(3, 3) exact moments of inertia of the area about the axis of the rod [m^4].
+
+        Integral of ``|x|^2 - x x^T``, x from the axis: about a1 and a2 those of bending, about a3
+        their sum.
+        """
+        xx, yy, xy = self._products()
+        return np.array([[yy, -xy, 0.0], [-xy, xx, 0.0], [0.0, 0.0, xx + yy]])
+
+    @property
+    def centroid(self) -> Array:
+        """(2,) of the area, along a1 and a2 [m]."""
+        return np.zeros(2)
+
+    def _products(self) -> tuple[float, float, float]:
+        """Integrals of x^2, y^2 and x y over the area, along a1 and a2."""
+        raise NotImplementedError
+
+    @property
     def size(self) -> float:
         """The larger of the extents along a1 and a2 [m]."""
         return float(np.ptp(self.loops(24)[0], axis=0).max())
@@ -140,6 +166,10 @@ class Circle(Outline):
         """Exact area [m^2]."""
         return pi * self.radius**2
 
+    def _products(self) -> tuple[float, float, float]:
+        one = pi * self.radius**4 / 4
+        return one, one, 0.0
+
     def loops(self, sides: int = 24) -> tuple[Array, ...]:
         """One loop with its corners on the circle."""
         return (_circle(self.radius, sides),)
@@ -166,6 +196,10 @@ class Tube(Outline):
         """Exact area [m^2]."""
         return pi * (self.outer_radius**2 - self.inner_radius**2)
 
+    def _products(self) -> tuple[float, float, float]:
+        one = pi * (self.outer_radius**4 - self.inner_radius**4) / 4
+        return one, one, 0.0
+
     def loops(self, sides: int = 24) -> tuple[Array, ...]:
         """Two loops with their corners on the circles."""
         return _circle(self.outer_radius, sides), _circle(self.inner_radius, sides)[::-1]
@@ -187,6 +221,9 @@ class Rectangle(Outline):
         """Exact area [m^2]."""
         return self.width * self.height
 
+    def _products(self) -> tuple[float, float, float]:
+        return self.area * self.width**2 / 12, self.area * self.height**2 / 12, 0.0
+
     def loops(self, sides: int = 24) -> tuple[Array, ...]:
         """One loop of four corners."""
         signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
@@ -204,6 +241,15 @@ class Polygon(Outline):
     def area(self) -> float:
         """Exact area [m^2]."""
         return sum(map(signed_area, self.loops()))
+
+    @property
+    def centroid(self) -> Array:
+        """(2,) of the area, along a1 and a2 [m]."""
+        return np.sum([first_moments(loop) for loop in self.loops()], axis=0) / self.area
+
+    def _products(self) -> tuple[float, float, float]:
+        xx, yy, xy = np.sum([second_moments(loop) for loop in self.loops()], axis=0).tolist()
+        return xx, yy, xy
 
     def loops(self, sides: int = 24) -> tuple[Array, ...]:
         """The corners as given, turned into the right sense."""

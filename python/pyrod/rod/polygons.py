@@ -15,6 +15,21 @@ def signed_area(loop: Array) -> float:
     return float(_cross(loop, np.roll(loop, -1, axis=0)).sum() / 2)
 
 
+def first_moments(loop: Array) -> Array:
+    """(2,) integrals of x and y inside of (k, 2) corners that go round counter-clockwise."""
+    following = np.roll(loop, -1, axis=0)
+    return (_cross(loop, following)[:, None] * (loop + following)).sum(axis=0) / 6
+
+
+def second_moments(loop: Array) -> Array:
+    """(3,) integrals of x^2, y^2 and x y there."""
+    a, b = loop, np.roll(loop, -1, axis=0)
+    squares = a**2 + a * b + b**2
+    mixed = (a[:, 0] * b[:, 1] + b[:, 0] * a[:, 1]) / 2 + a.prod(axis=1) + b.prod(axis=1)
+    rows = np.column_stack([squares, mixed])
+    return (_cross(a, b)[:, None] * rows).sum(axis=0) / [12, 12, 12]
+
+
 def corners(points: ArrayLike, name: str) -> Corners:
     """The corners of a simple polygon, counter-clockwise; refuses what is none."""
     loop = array(points, name)

@@ -2,7 +2,15 @@
 
 from pyrod.scene.actuators import Tendon
 from pyrod.scene.joints import Joint
-from pyrod.scene.loads import DistributedForce, DistributedMoment, Force, Gravity, Load, Moment
+from pyrod.scene.loads import (
+    DistributedForce,
+    DistributedMoment,
+    Force,
+    Gravity,
+    Load,
+    Moment,
+    PointMass,
+)
 from pyrod.scene.planarity import Planarity, is_planar
 from pyrod.scene.scene import Scene
 from pyrod.scene.supports import Clamp, Hinge, Pivot, Sleeve, Slider, Spring, Support
@@ -19,6 +27,7 @@ __all__ = [
     "Moment",
     "Pivot",
     "Planarity",
+    "PointMass",
     "Scene",
     "Sleeve",
     "Slider",

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 import pyrod._core as _core
-from pyrod.base.arrays import whole, yes_or_no
+from pyrod.base.arrays import finite, number, whole, yes_or_no
 from pyrod.base.immutable import Array, frozen, vector
 from pyrod.curve._sampling import along, sampled
 from pyrod.rod.place import Place, checked
@@ -28,6 +29,8 @@ class Load(Part):
     """Base of all loads: the first field of each kind is what acts, and grows with a factor."""
 
     follower = False
+    grows = True
+    """Whether there is more of it under larger loads."""
 
     @property
     def acting(self) -> Any:
@@ -158,7 +161,7 @@ class DistributedMoment(LoadAlong):
 
 @dataclass(frozen=True, eq=False)
 class Gravity(Load):
-    """The weight of all rods whose sections have a mass per length.
+    """The weight of all rods whose sections have a mass per length, and of point masses.
 
     Parameters
     ----------
@@ -168,6 +171,54 @@ class Gravity(Load):
 
     acceleration: Array = (0.0, 0.0, -9.81)  # type: ignore[assignment]
     _kind = _core.Gravity
+
+
+@dataclass(frozen=True, eq=False)
+class PointMass(Load):
+    """A body whose centre of mass is on the axis of a rod, fixed to one cross-section.
+
+    It acts by its weight, where there is `Gravity`, and vibrates with the rod (`Linearised.modes`).
+
+    Parameters
+    ----------
+    mass : float [kg]
+        Positive.
+    at : as for `Force`
+    inertia : (3,) or (3, 3) array [kg m^2]
+        Moments of inertia about the directors a1, a2, a3 there, or their matrix; default: none. In
+        vibrations only.
+    """
+
+    mass: float
+    at: Place = "end"
+    inertia: Array | None = None
+    grows = False
+    _kind = _core.PointMass
+
+    def __post_init__(self) -> None:
+        mass = number(self.mass, "mass")
+        if not 0 < mass < inf:
+            raise ValueError(f"mass: must be positive and finite, got {mass}")
+        inertia = None if self.inertia is None else _inertia(self.inertia)
+        self._set(mass=mass, at=checked(self.at), inertia=inertia)
+
+
+def _inertia(values: ArrayLike) -> Array:
+    """That of a body, as given."""
+    made = frozen(finite(values, "inertia"))
+    if made.shape not in ((3,), (3, 3)):
+        raise ValueError(f"inertia: expected 3 numbers, or 3 x 3, got shape {made.shape}")
+    matrix = made if made.ndim == 2 else np.diag(made)
+    size = float(np.abs(matrix).max())
+    if np.abs(matrix - matrix.T).max() > 1e-9 * size:
+        raise ValueError("inertia: expected a symmetric matrix")
+    least = np.linalg.eigvalsh(matrix)
+    if least[0] < -1e-9 * size or least[2] > (least[0] + least[1]) * (1 + 1e-9):
+        raise ValueError(
+            "inertia: no body has it; moments of inertia are not negative, and none is larger than "
+            "the sum of the other two"
+        )
+    return made
 
 
 def on_cut_edges(load: Load, given: tuple[Rod, ...], cut: tuple[Rod, ...]) -> Load:

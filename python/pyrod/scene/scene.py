@@ -35,7 +35,8 @@ class Scene(Immutable):
         `Clamp`, `Hinge`, `Slider`, `Sleeve`, `Pivot`, `Spring`; one or any number. Ends without one
         are free.
     loads : loads
-        `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`; one or any number.
+        `Force`, `Moment`, `DistributedForce`, `DistributedMoment`, `Gravity`, `PointMass`; one or
+        any number.
     space : "spatial" or "planar"
         In the plane (not default) the rods stay in that of the directors a1 and a3 of the first
         clamp (else of the first rod at rest), which takes a third of the unknowns. What leaves the

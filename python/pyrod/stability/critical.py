@@ -178,9 +178,12 @@ def _critical(path: Path, losses: list[Loss]) -> Critical:
 
 def _growing(scene: Scene, loads: Iterable[int] | None) -> frozenset[int]:
     count = len(scene.loads)
-    growing = frozenset(range(count) if loads is None else loads)
+    able = frozenset(i for i, load in enumerate(scene.loads) if load.grows)
+    growing = able if loads is None else frozenset(loads)
     if not growing or not growing <= set(range(count)):
         raise ValueError(f"loads: expected numbers below {count}, got {shortly(list(growing))}")
+    if not growing <= able:
+        raise ValueError("loads: masses do not grow; name the Gravity that acts on them")
     if any(load.follower for load in scene.loads):
         raise ValueError(
             "loads: those that follow the rods have no potential, so that stability is a matter "

@@ -80,7 +80,8 @@ def _is_absurd(result: Equilibrium) -> bool:
 def _size_of(scene: Scene, growing: frozenset[int]) -> float:
     """The sum of the loads that grow, as forces."""
     length = max(rod.length for rod in scene.rods)
-    loads = tuple(load for number, load in enumerate(scene.loads) if number in growing)
+    pairs = enumerate(scene.loads)
+    loads = tuple(load for number, load in pairs if number in growing or not load.grows)
     compiled = replace(scene, loads=loads)._compiled
     size = sum(_sum_of(compiled.dead_loads(i), length) for i in range(len(scene.rods)))
     if size == 0:

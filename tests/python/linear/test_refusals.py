@@ -183,9 +183,9 @@ def test_modes() -> None:
     linear = pyrod.linearised(pyrod.solve(Scene(rod, Clamp())))
     with pytest.raises(ValueError, match="mass"):
         linear.modes()
-    heavy = Rod.straight(1.0, 8, Section(EI1=1.0, EI2=1.0, GJ=0.8, mass_per_length=1.0))
-    follower = Scene(heavy, Clamp(), Force((0.1, 0, 0), follower=True))
-    with pytest.raises(ValueError, match="potential"):
-        pyrod.linearised(pyrod.solve(follower)).modes()
+    heavy = Rod.straight(1.0, 8, Section(EI1=1.0, EI2=1.5, GJ=0.8, mass_per_length=1.0))
+    saddle = pyrod.solve(Scene(heavy, Clamp(), Force((0, 0, -10.0))), stable=False)
+    with pytest.raises(ValueError, match="unstable, with index 2"):
+        pyrod.linearised(saddle).modes()
     with pytest.raises(ValueError, match="1 or more"):
         linear.modes(0)

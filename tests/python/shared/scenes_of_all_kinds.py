@@ -148,6 +148,7 @@ def _loads(draw: Any, number: int, rod: Rod) -> list[Any]:
         pyrod.Force(draw(vectors()), at, follower),
         pyrod.Moment(draw(vectors()), (number, "end"), follower),
         pyrod.DistributedForce(draw(vectors()), number, follower),
+        pyrod.PointMass(draw(POSITIVE), at, draw(st.none() | st.just((1.0, 2.0, 2.5)))),
     ]
 
 

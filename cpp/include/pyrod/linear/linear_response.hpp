@@ -57,6 +57,17 @@ class LinearResponse {
   template <class Numbers, class Visit>
   void push_all(int count, Numbers&& numbers, Change& out, Visit&& visit);
 
+  /// K δ = rhs in the rows of the unknowns, without what is added to the factor.
+  void solve(const Vector& rhs, Vector& δ) {
+    equations_.solve(rhs, δ, false);
+    if (equations_.doubtful()) equations_.require_sure(δ, 0);
+  }
+  /// Weights of these rows: the shares of length of frames, so that K v = λ diag(weights) v are the
+  /// modes of stability. Zero for multipliers.
+  Vector weights() const { return problem_.weights(); }
+  /// What changes of the unknowns are to all that is told.
+  void follow(const Vector& δ, Change& out);
+
   /// To the numbers, from what is told: the gradient of Σ from·told. Nothing may be asked of items
   /// that are unknown here, nor of a sum that changes with a free motion. It holds for changes that
   /// push along none.
@@ -117,8 +128,7 @@ template <class Space>
 void LinearResponse<Space>::find_free_changes() {
   for (int k = 0; k < int(equations_.free().cols()); ++k) {
     Change moved = no_change();
-    steps_.add_unknowns(free_motion(k), moved.state);
-    steps_.tell(no_numbers(), moved);
+    follow(free_motion(k), moved);
     free_.add(std::move(moved));
   }
 }
@@ -170,6 +180,13 @@ void LinearResponse<Space>::finish(const Items<Space>& numbers, Change& out) {
   steps_.add_unknowns(δ_, out.state);
   steps_.tell(numbers, out);
   if (equations_.doubtful()) equations_.require_sure(δ_, noise(out));
+}
+
+template <class Space>
+void LinearResponse<Space>::follow(const Vector& δ, Change& out) {
+  out.state.setZero();
+  steps_.add_unknowns(δ, out.state);
+  steps_.tell(no_numbers(), out);
 }
 
 template <class Space>

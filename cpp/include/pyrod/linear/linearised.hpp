@@ -31,6 +31,10 @@ class LinearisedScene {
   Vector numbers(const SceneSolver<S>& like) const;
   /// Of dead forces on the vertices of every rod.
   Vector of_forces(const std::vector<std::vector<Vec3>>& forces) const;
+  /// Of moments on the edges of every rod, in the components of their frames.
+  Vector of_moments(const std::vector<std::vector<Vec3>>& moments) const;
+  /// Of a dead moment on a vertex, in space.
+  Vector of_moment(int rod, int vertex, const Vec3& moment) const;
   /// Of a motion of a support: of its point, and of its frame by a rotation vector, both in space.
   Vector of_motion(int support, const Vec3& shift, const Vec3& turn) const;
   /// Of what a rod has along it, places of supports and joints staying where they are.
@@ -55,6 +59,14 @@ class LinearisedScene {
   /// Displacement and rotation vector of a vertex, in space, under unit force and moment there, in
   /// its columns. Those of loads that leave the plane of a planar scene are NaN.
   Mat<6> compliance(int rod, int vertex) const;
+
+  /// Of the rows of all unknowns, those in K v = λ diag(weights) v whose solutions are the modes of
+  /// stability: λ of the lowest is `Equilibrium::lowest_eigenvalue`.
+  Vector weights() const;
+  /// K⁻¹ rows, without what is added to the factor.
+  Vector solved(const Vector& rows) const;
+  /// What a change of the unknowns is to all that is told.
+  SceneChange follow(const Vector& rows) const;
 
   /// Zeros.
   SceneChange empty() const;

@@ -56,6 +56,16 @@ Vector LinearisedScene<S>::of_forces(const std::vector<std::vector<Vec3>>& force
 }
 
 template <std::same_as<Settings> S>
+Vector LinearisedScene<S>::of_moments(const std::vector<std::vector<Vec3>>& moments) const {
+  return parts_->visit([&](auto& r) { return r.of_moments(moments); });
+}
+
+template <std::same_as<Settings> S>
+Vector LinearisedScene<S>::of_moment(int rod, int vertex, const Vec3& moment) const {
+  return parts_->visit([&](auto& r) { return r.of_moment(rod, vertex, moment); });
+}
+
+template <std::same_as<Settings> S>
 Vector LinearisedScene<S>::of_motion(int support, const Vec3& shift, const Vec3& turn) const {
   return parts_->visit([&](auto& r) { return r.of_motion(support, shift, turn); });
 }
@@ -93,6 +103,21 @@ std::vector<Vector> LinearisedScene<S>::pushes_freely() const {
 template <std::same_as<Settings> S>
 Mat<6> LinearisedScene<S>::compliance(int rod, int vertex) const {
   return parts_->visit([&](auto& r) { return r.compliance(rod, vertex); });
+}
+
+template <std::same_as<Settings> S>
+Vector LinearisedScene<S>::weights() const {
+  return parts_->visit([](auto& r) { return r.weights(); });
+}
+
+template <std::same_as<Settings> S>
+Vector LinearisedScene<S>::solved(const Vector& rows) const {
+  return parts_->visit([&](auto& r) { return r.solved(rows); });
+}
+
+template <std::same_as<Settings> S>
+SceneChange LinearisedScene<S>::follow(const Vector& rows) const {
+  return parts_->visit([&](auto& r) { return r.follow(rows); });
 }
 
 template <std::same_as<Settings> S>

@@ -57,6 +57,17 @@ class ResponseInSpace {
     return told(change_);
   }
 
+  Vector weights() const { return linear_.weights(); }
+  Vector solved(const Vector& rows) {
+    Vector δ;
+    linear_.solve(rows, δ);
+    return δ;
+  }
+  SceneChange follow(const Vector& rows) {
+    linear_.follow(rows, change_);
+    return told(change_);
+  }
+
   /// `rounding`: how far rounding moves the gradient; if there is no such, it must not.
   Vector pull(const SceneChange& weights, Vector* rounding) {
     auto given = weights;
@@ -105,6 +116,24 @@ class ResponseInSpace {
       for (int j = 0; j < int(forces[rod].size()); ++j)
         out.col(linear_.number_items().force(rod, j)).template head<dim>() =
             restrict_point<Space>(unrotate(turn(), forces[rod][j]));
+    return flat(out);
+  }
+
+  /// Of moments on the edges of all rods, in the components of their frames.
+  Vector of_moments(const std::vector<std::vector<Vec3>>& moments) const {
+    Items<Space> out = linear_.no_numbers();
+    for (int rod = 0; rod < int(moments.size()); ++rod)
+      for (int j = 0; j < int(moments[rod].size()); ++j)
+        out.col(linear_.number_items().following(posed_->layout().edge(rod, j)))
+            .template head<spin>() = restrict_spin<Space>(moments[rod][j]);
+    return flat(out);
+  }
+
+  /// Of a dead moment on a vertex, in space.
+  Vector of_moment(int rod, int vertex, const Vec3& moment) const {
+    Items<Space> out = linear_.no_numbers();
+    VertexLoads<Space>(posed_->layout(), rod, vertex)
+        .add_moment(restrict_spin<Space>(unrotate(turn(), moment)), out);
     return flat(out);
   }
 

@@ -15,6 +15,7 @@
 #include <pyrod/scene/place.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -109,7 +110,28 @@ struct DistributedMoment {
   }
 };
 
-/// The weight of all rods whose sections have a mass per length.
+/// A body on the axis of a rod, fixed to one cross-section. It acts by its weight, where there is
+/// `Gravity`, and vibrates with the rod.
+struct PointMass {
+  double mass;  ///< [kg]
+  Place at = End::end;
+
+  static constexpr const char* kind = "PointMass";
+  static constexpr auto fields() {
+    return std::tuple{Field{"mass", &PointMass::mass}, Field{"at", &PointMass::at}};
+  }
+  template <class Rods, class Loads>
+  void check(const Rods&, const Loads&) const {
+    require(mass > 0 && std::isfinite(mass), "mass: must be positive and finite, got ", mass);
+  }
+  template <class On>
+  void act(On& on) const {
+    if (on.gravity().isZero(0)) return;
+    on.loads().add_force(on.grid(), mass * on.gravity(), on.site(at));
+  }
+};
+
+/// The weight of all rods whose sections have a mass per length, and of point masses.
 struct Gravity {
   Vec3 acceleration = {0, 0, -9.81};  ///< [m/s²]
 
@@ -117,12 +139,13 @@ struct Gravity {
   static constexpr auto fields() {
     return std::tuple{Field{"acceleration", &Gravity::acceleration}};
   }
-  template <class Rods>
-  static void check(const Rods& rods) {
+  template <class Rods, class Loads>
+  static void check(const Rods& rods, const Loads& loads) {
     const auto heavy = [](const auto& rod) {
       return std::ranges::any_of(rod.mass, [](double m) { return m > 0; });
     };
-    require(std::ranges::any_of(rods, heavy),
+    const auto has_mass = [](const auto& load) { return std::holds_alternative<PointMass>(load); };
+    require(std::ranges::any_of(rods, heavy) || std::ranges::any_of(loads, has_mass),
             "Gravity: no rod has a mass; give its material a density, or its section a "
             "mass_per_length");
   }
@@ -134,7 +157,7 @@ struct Gravity {
   }
 };
 
-using Load = std::variant<Force, Moment, DistributedForce, DistributedMoment, Gravity>;
+using Load = std::variant<Force, Moment, DistributedForce, DistributedMoment, Gravity, PointMass>;
 
 // What loads have in common.
 inline const char* kind_of(const Load& load) {
@@ -167,14 +190,21 @@ inline bool follows(const Load& load) {
       },
       load);
 }
-/// Refuses what no rod can feel.
+/// Refuses what no rod can feel, beside these loads.
 template <class Rods>
-void check_load(const Load& load, const Rods& rods) {
+void check_load(const Load& load, const Rods& rods, const std::vector<Load>& loads) {
   std::visit(
       [&](const auto& l) {
-        if constexpr (requires { l.check(rods); }) l.check(rods);
+        if constexpr (requires { l.check(rods, loads); }) l.check(rods, loads);
       },
       load);
+}
+/// What pulls at all masses [m/s²].
+inline Vec3 gravity_of(const std::vector<Load>& loads) {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& load : loads)
+    if (const auto* one = std::get_if<Gravity>(&load)) sum += one->acceleration;
+  return sum;
 }
 
 namespace detail {

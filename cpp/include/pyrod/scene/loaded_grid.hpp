@@ -21,15 +21,19 @@ namespace pyrod {
 /// themselves to it.
 class LoadedGrid {
  public:
-  LoadedGrid(const RodOnGrid& made, const Grid& places)
+  /// `gravity`: of all loads of the scene.
+  LoadedGrid(const RodOnGrid& made, const Grid& places, const Vec3& gravity)
       : made_(made),
         places_(places),
+        gravity_(gravity),
         parts_(made.rod.edges() / places.edges()),
         loads_(made.rod.edges()) {}
 
   const Rod<Spatial>& rod() const { return made_.rod; }
   const Grid& grid() const { return made_.rod.grid; }
   const std::vector<double>& mass() const { return made_.mass; }  ///< per length, of the edges
+
+  const Vec3& gravity() const { return gravity_; }  ///< of the scene [m/s²]
 
   Site site(const Place& place) const {
     return Site::on(places_, place.on(places_)).refined(parts_);
@@ -44,6 +48,7 @@ class LoadedGrid {
  private:
   const RodOnGrid& made_;
   const Grid& places_;
+  Vec3 gravity_;
   int parts_;
   Loads<Spatial> loads_;
 };

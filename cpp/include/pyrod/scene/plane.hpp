@@ -166,7 +166,7 @@ class PlaneCheck {
   }
   double part(const Vec3& dead, int k) const { return std::abs(unrotate(at_.frame, dead)[k]); }
 
-  /// The largest component of a load as it was given.
+  /// The largest component of a load as it was given; of what is given by none, as it acts.
   double largest(const Load& load, int rod, int k) const {
     double most = 0;
     const auto take = [&](const Vec3& given) {
@@ -178,6 +178,7 @@ class PlaneCheck {
       const auto centred = centres(on_.rod(rod).grid.arc_lengths());
       for (const Vec3& given : sampled(along, centred, name, "edge")) take(given);
     });
+    if (most == 0) std::ranges::for_each(on_.acting(load, rod).force, take);
     return most;
   }
 

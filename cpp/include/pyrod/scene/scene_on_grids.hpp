@@ -118,7 +118,7 @@ class SceneOnGrids {
       places_.emplace_back(spec.edge_lengths);
       rods_.push_back(on_grid(spec, parts_));
     }
-    for (const auto& load : scene_.loads) check_load(load, rods_);
+    for (const auto& load : scene_.loads) check_load(load, rods_, scene_.loads);
     for (int i = 0; i < int(rods_.size()); ++i) loads_.push_back(acting_on(i));
   }
 
@@ -128,7 +128,7 @@ class SceneOnGrids {
 
   /// Other supports and loads, at the places of those before.
   void change(const Changes& changes) {
-    for (const auto& [i, load] : changes.loads) check_load(load, rods_);
+    for (const auto& [i, load] : changes.loads) check_load(load, rods_, scene_.loads);
     changes.apply(scene_);
     if (changes.loads.empty()) return;
     for (int i = 0; i < int(rods_.size()); ++i) loads_[std::size_t(i)] = acting_on(i);
@@ -136,7 +136,7 @@ class SceneOnGrids {
 
   /// What one load alone does to a rod.
   Loads<Spatial> acting(const Load& load, int i) const {
-    LoadedGrid on(rods_[std::size_t(i)], places_[std::size_t(i)]);
+    LoadedGrid on = bare(i);
     add(load, on);
     return on.take();
   }
@@ -152,8 +152,11 @@ class SceneOnGrids {
   double arc_length(const Place& at) const { return at.on(places_[std::size_t(at.rod)]); }
 
  private:
+  LoadedGrid bare(int i) const {
+    return {rods_[std::size_t(i)], places_[std::size_t(i)], gravity_of(scene_.loads)};
+  }
   Loads<Spatial> acting_on(int i) const {
-    LoadedGrid on(rods_[std::size_t(i)], places_[std::size_t(i)]);
+    LoadedGrid on = bare(i);
     for (const auto& load : scene_.loads)
       if (rod_of(load).value_or(i) == i) add(load, on);
     return on.take();
