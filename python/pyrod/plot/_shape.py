@@ -47,7 +47,7 @@ def draw_shape(
         for rod, colour in zip(result.rods, colours, strict=True):
             _draw_fringe(rod, ax, colour)
     for way in ways(result):
-        ax.plot(*_coordinates(result, way).T, color="0.3", linewidth=0.8)
+        ax.plot(*coordinates(result, way).T, color="0.3", linewidth=0.8)
     return ax
 
 
