@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
+__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'PointMass', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
@@ -288,7 +288,7 @@ class Scene:
     """
     A scene that is ready to be solved.
     """
-    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity], space: str) -> None:
+    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity | PointMass], space: str) -> None:
         ...
     def climbing_rods(self, given: collections.abc.Sequence[Rod]) -> list:
         """
@@ -330,7 +330,7 @@ class Solver:
         ...
     def forget(self) -> None:
         ...
-    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity]], options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
+    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity | PointMass]], options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...
     def solve_numbers(self, numbers: list, options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...
