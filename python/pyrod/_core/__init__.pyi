@@ -9,7 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'Tendon', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
+__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'PointMass', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'Tendon', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
@@ -158,12 +158,12 @@ class Gravity:
     fields: typing.ClassVar[list] = ['acceleration']
     def __init__(self, *args) -> None:
         ...
-class Tendon:
-    fields: typing.ClassVar[list] = ['offset', 'tension', 'length', 'EA', 'start', 'end', 'rod']
-    def __init__(self, *args) -> None:
-        ...
 class PointMass:
     fields: typing.ClassVar[list] = ['mass', 'at']
+    def __init__(self, *args) -> None:
+        ...
+class Tendon:
+    fields: typing.ClassVar[list] = ['offset', 'tension', 'length', 'EA', 'start', 'end', 'rod']
     def __init__(self, *args) -> None:
         ...
 class Joint:
@@ -298,7 +298,7 @@ class Scene:
     """
     A scene that is ready to be solved.
     """
-    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity], actuators: collections.abc.Sequence[Tendon], space: str) -> None:
+    def __init__(self, rods: collections.abc.Sequence[Rod], supports: collections.abc.Sequence[Clamp | Hinge | Slider | Sleeve | Pivot | Spring], joints: collections.abc.Sequence[Joint], loads: collections.abc.Sequence[Force | Moment | DistributedForce | DistributedMoment | Gravity | PointMass], actuators: collections.abc.Sequence[Tendon], space: str) -> None:
         ...
     def climbing_rods(self, given: collections.abc.Sequence[Rod]) -> list:
         """
@@ -340,7 +340,7 @@ class Solver:
         ...
     def forget(self) -> None:
         ...
-    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity]], actuators: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Tendon]], options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
+    def solve(self, scene: Scene, rods: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Rod]], supports: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Clamp | Hinge | Slider | Sleeve | Pivot | Spring]], joints: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Joint]], loads: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Force | Moment | DistributedForce | DistributedMoment | Gravity | PointMass]], actuators: collections.abc.Sequence[tuple[typing.SupportsInt | typing.SupportsIndex, Tendon]], options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...
     def solve_numbers(self, numbers: list, options: Options, stable: bool, eigenvalue: bool, tol: typing.SupportsFloat | typing.SupportsIndex | None) -> Equilibrium:
         ...
@@ -356,6 +356,8 @@ class Linearised:
         ...
     def follow(self, rows: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> dict:
         ...
+    def free(self) -> list:
+        ...
     def numbers(self, scene: Scene) -> numpy.typing.NDArray[numpy.float64]:
         ...
     def of_forces(self, forces: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64]]) -> numpy.typing.NDArray[numpy.float64]:
@@ -368,9 +370,11 @@ class Linearised:
         ...
     def of_rod(self, rod: typing.SupportsInt | typing.SupportsIndex, bending: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], stretching: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], K0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         ...
-    def pull(self, arg0: dict) -> numpy.typing.NDArray[numpy.float64]:
+    def pull(self, arg0: dict) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         ...
     def push(self, numbers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> dict:
+        ...
+    def pushes_freely(self) -> list:
         ...
     def solved(self, rows: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         ...
