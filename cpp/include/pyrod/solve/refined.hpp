@@ -4,13 +4,16 @@
 ///
 /// What a shift leaves undone is the shift times the solution, and is solved for again: it falls by
 /// shift over lowest eigenvalue each time. Where that is not enough, or the tangent is not
-/// symmetric, GMRES goes on. What is not solved in the end is told: the matrix is singular, to the
-/// digits there are. Where K is symmetric and its null space is known, solutions without anything
-/// of it are found all the same.
+/// symmetric, GMRES goes on. What the tangent itself leaves of the right side then tells how far
+/// off that is, and takes it away. What is not solved in the end is told: the matrix is singular,
+/// to the digits there are. Where K is symmetric and its null space is known, solutions without
+/// anything of it are found all the same.
 #pragma once
 
 #include <pyrod/core/types.hpp>
 #include <pyrod/solve/shifted_factor.hpp>
+
+#include <limits>
 
 namespace pyrod {
 
@@ -29,21 +32,14 @@ class Refined {
     }
     if (free_.cols() > 0) return solve_beside(b, x);
     factor_.solve(b, first_);
-    if (!skew && summed(x)) return true;
-    const auto rest_or_none = [&](const Vector& v, Vector& out) {
-      if (skew)
-        rest(v, out);
-      else
-        out.setZero(v.size());
-    };
-    x = first_;
-    factor_.correct_all(rest_or_none, x);
-    for (int i = 0; i < 2 && find_left(rest_or_none, x) > 1e-14 * size(x); ++i) {
-      factor_.correct_all(rest_or_none, step_);
-      x += step_;
+    if (!skew && summed(x)) {
+      if (pivots_may_be_small()) improve(no_rest, b, x, [](Vector&) {});
+      return true;
     }
+    x = first_;
+    const double off = skew ? solve_by_gmres(rest, b, x) : solve_by_gmres(no_rest, b, x);
     // of a singular matrix that is not quite, by rounding, the solution is anything, and huge
-    return size(x) <= most_ * size(first_) && find_left(rest_or_none, x) <= 1e-9 * size(x);
+    return size(x) <= most_ * size(first_) && off <= 1e-9 * size(x);
   }
 
   /// The same of several right sides, in place, if nothing is added to K.
@@ -69,10 +65,12 @@ class Refined {
 
   /// What b pushes along the null space is left out.
   bool solve_beside(const Vector& b, Vector& x) {
-    first_ = b - factor_.stiffness().cwiseProduct(free_ * (free_.transpose() * b));
-    factor_.solve(first_, first_);
+    pushed_ = b - factor_.stiffness().cwiseProduct(free_ * (free_.transpose() * b));
+    factor_.solve(pushed_, first_);
     leave_out(first_);
-    return summed(x);
+    if (!summed(x)) return false;
+    if (pivots_may_be_small()) improve(no_rest, pushed_, x, [](Vector&) {});
+    return true;
   }
 
   /// With D added, F = K + D: what F⁻¹ b leaves of K x = b is D F⁻¹ b, what the next term leaves is
@@ -94,18 +92,41 @@ class Refined {
     return false;
   }
 
-  /// What is left of x = F⁻¹ b − F⁻¹ (Z − D) x; its size.
+  /// The multipliers of spans of few edges have pivots that are all D: what rounding does to these
+  /// is as large in solutions as 1e-16/D, and no sum of terms sees it.
+  bool pivots_may_be_small() const { return factor_.multipliers().count() > 0; }
+
   template <class Rest>
-  double find_left(const Rest& rest, const Vector& x) {
-    rest(x, step_);
-    step_ -= factor_.shift().cwiseProduct(x);
-    factor_.solve(step_, step_);
-    step_ = first_ - x - step_;
-    return size(step_);
+  double solve_by_gmres(const Rest& rest, const Vector& b, Vector& x) {
+    factor_.correct_all(rest, x);
+    return improve(rest, b, x, [&](Vector& step) { factor_.correct_all(rest, step); });
   }
 
+  /// Solves for what is left of K x + Z x = b itself, as often as that helps; `correct(step)`: of
+  /// what the factor makes of it. How large the last step was.
+  template <class Rest, class Correct>
+  double improve(const Rest& rest, const Vector& b, Vector& x, const Correct& correct) {
+    double last = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 8; ++i) {
+      factor_.matrix().multiply(x, left_);
+      rest(x, step_);
+      left_ = b - left_ - step_;
+      factor_.solve(left_, step_);
+      correct(step_);
+      leave_out(step_);
+      const double now = size(step_);
+      if (!(now <= 0.5 * last)) break;
+      x += step_;
+      last = now;
+      if (now <= 1e-14 * size(x)) break;
+    }
+    return last;
+  }
+
+  static void no_rest(const Vector& v, Vector& out) { out.setZero(v.size()); }
+
   ShiftedFactor& factor_;
-  Vector first_, step_;
+  Vector first_, step_, left_, pushed_;
   Eigen::MatrixXd free_;
 };
 
