@@ -94,9 +94,10 @@ def test_derivatives_of_any_scene(scene: pyrod.Scene, seed: int) -> None:
             assert found == pytest.approx(expected, abs=1e-6 * size), (path, name)
 
 
+@pytest.mark.long
 @pytest.mark.filterwarnings("ignore")
 @settings(
-    max_examples=30,
+    max_examples=8,
     deadline=None,
     phases=[Phase.explicit, Phase.generate],
     suppress_health_check=list(HealthCheck),
