@@ -31,7 +31,7 @@ def test_shapes_and_consistency() -> None:
     rows = {name: value.shape for name, value in arrays(result).items()}
     assert rows == {
         **dict.fromkeys(("positions", "K", "moment", "material_moment", "load"), (7, 3)),
-        **dict.fromkeys(("vertex_force", "vertex_force_before"), (7, 3)),
+        **dict.fromkeys(("vertex_force", "vertex_force_before", "backbone_force"), (7, 3)),
         **dict.fromkeys(("K_before", "moment_before"), (7, 3)),
         "load_moment": (3,),
         **dict.fromkeys(("Gamma", "force", "material_force"), (6, 3)),
