@@ -15,6 +15,7 @@
 #include <pyrod/statics/equations/network_cells.hpp>
 #include <pyrod/statics/equations/network_scales.hpp>
 #include <pyrod/statics/equations/network_skew.hpp>
+#include <pyrod/statics/equations/network_slope.hpp>
 #include <pyrod/statics/equations/network_spans.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
@@ -43,6 +44,16 @@ class NetworkProblem {
   /// Lets only a part of all loads act, or of the forces and of the moments.
   void load(double part) { load(part, part); }
   void load(double forces, double moments) { loads_.load(forces, moments); }
+  /// Lets α times what acts in the one problem act together with β times what acts in the other,
+  /// both of networks that have the same unknowns as this one.
+  void blend(const NetworkProblem& a, double α, const NetworkProblem& b, double β) {
+    loads_.blend(a.loads_, α, b.loads_, β);
+  }
+  /// out = ∂g/∂t at x, as t times what acts in `rate` is added to what acts.
+  void slope(const State& x, const NetworkProblem& rate, Vector& out) const {
+    find_slope(layout_, columns_, loads_, rate.loads_, x, out);
+  }
+
   bool conservative() const { return loads_.conservative(); }
   bool dead_loads() const { return !loads_.follow(); }
 
