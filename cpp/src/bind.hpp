@@ -33,6 +33,7 @@ void parts(py::module_& module);
 void equilibrium(py::module_& module);
 void scene(py::module_& module);
 void linear(py::module_& module);
+void paths(py::module_& module);
 
 inline std::string shape_of(const Array& a) {
   return py::str(py::tuple(a.attr("shape"))).cast<std::string>();

@@ -41,6 +41,7 @@ PYBIND11_MODULE(_core, module, pybind11::mod_gil_not_used()) {
   pyrod::bind::equilibrium(module);
   pyrod::bind::scene(module);
   pyrod::bind::linear(module);
+  pyrod::bind::paths(module);
   module.def("build", &pyrod::bind::build,
              "Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.");
 }

@@ -17,6 +17,7 @@ from pyrod.linear import Linearised, Modes, SingularEquilibrium, StabilityModes,
 from pyrod.models.choice import Choice, smallest_model
 from pyrod.models.effects import Effect, effect, out_of_plane_index
 from pyrod.models.solve import solve
+from pyrod.paths import Branch, BranchPoint, Diagram, SpecialPoint, diagram, follow
 from pyrod.result.accuracy import Accuracy
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import (
@@ -53,10 +54,13 @@ __version__ = _version("pyrod")
 __all__ = [
     "Accuracy",
     "AccuracyWarning",
+    "Branch",
+    "BranchPoint",
     "Choice",
     "Clamp",
     "Critical",
     "CurveWarning",
+    "Diagram",
     "DistributedForce",
     "DistributedMoment",
     "Effect",
@@ -86,6 +90,7 @@ __all__ = [
     "Sleeve",
     "Slider",
     "Solver",
+    "SpecialPoint",
     "Spring",
     "StabilityModes",
     "StrainWarning",
@@ -95,7 +100,9 @@ __all__ = [
     "UnstableWarning",
     "critical_load",
     "curve",
+    "diagram",
     "effect",
+    "follow",
     "get_cmake_dir",
     "get_include",
     "is_planar",

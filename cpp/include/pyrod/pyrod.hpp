@@ -11,6 +11,7 @@
 #include <pyrod/curve/frenet.hpp>
 #include <pyrod/curve/link.hpp>
 #include <pyrod/linear/linearised.hpp>
+#include <pyrod/paths/branch.hpp>
 #include <pyrod/rod/energy.hpp>
 #include <pyrod/scene.hpp>
 #include <pyrod/scene/plane.hpp>

@@ -10,6 +10,7 @@ from . import rotation
 from . import section
 from . import curve
 __all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'PointMass', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'Tendon', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
+__all__: list[str] = ['Branch', 'Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'follow', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
@@ -385,6 +386,32 @@ class Linearised:
         ...
     @property
     def weights(self) -> numpy.typing.NDArray[numpy.float64]:
+class Branch:
+    """
+    Equilibria one behind the other.
+    """
+    def derivative(self, number: typing.SupportsInt | typing.SupportsIndex, family: typing.Any, apart: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        ...
+    def equilibrium(self, point: typing.SupportsInt | typing.SupportsIndex, eigenvalue: bool) -> Equilibrium:
+        ...
+    def special_equilibrium(self, number: typing.SupportsInt | typing.SupportsIndex) -> Equilibrium:
+        ...
+    def switched(self, number: typing.SupportsInt | typing.SupportsIndex, side: typing.SupportsInt | typing.SupportsIndex, start: typing.SupportsFloat | typing.SupportsIndex, stop: typing.SupportsFloat | typing.SupportsIndex, max_points: typing.SupportsInt | typing.SupportsIndex, look: collections.abc.Callable | None) -> Branch:
+        ...
+    @property
+    def ended(self) -> str:
+        ...
+    @property
+    def indices(self) -> numpy.ndarray:
+        ...
+    @property
+    def reason(self) -> str:
+        ...
+    @property
+    def special(self) -> list:
+        ...
+    @property
+    def values(self) -> numpy.ndarray:
         ...
 def breaks(function: collections.abc.Callable, length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[tuple, bool]:
     """
@@ -394,6 +421,8 @@ def build() -> dict:
     """
     Versions of CHOLMOD and Eigen, the compiler, and the instructions that are used.
     """
+def follow(family: typing.Any, start: typing.SupportsFloat | typing.SupportsIndex, stop: typing.SupportsFloat | typing.SupportsIndex, max_points: typing.SupportsInt | typing.SupportsIndex, equilibrium: Equilibrium, options: Options, look: collections.abc.Callable | None) -> Branch:
+    ...
 def limit(grids: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64]], even: bool, noise: typing.SupportsFloat | typing.SupportsIndex) -> tuple:
     ...
 def natural_edges(length: typing.SupportsFloat | typing.SupportsIndex, curvature: typing.Any) -> float:

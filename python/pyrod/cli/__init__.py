@@ -12,10 +12,10 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 import pyrod
-from pyrod.cli import check, demo, info, solve, sweep
+from pyrod.cli import check, demo, follow, info, solve, sweep
 from pyrod.cli.output import Output
 
-COMMANDS = (solve, sweep, check, info, demo)
+COMMANDS = (solve, sweep, follow, check, info, demo)
 FAILED, WRONG, STOPPED = 1, 2, 130
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pyrod/solve/skew_solver.hpp>
+#include <pyrod/sparse/ldlt.hpp>
 
 #include "support/matrices.hpp"
 #include "support/near.hpp"
@@ -16,13 +17,12 @@ Vector corrected(const Dense& H, const Dense& Z, const Vector& b, int& products)
   factor.factorise();
   Vector x;
   factor.solve(b, x);
-  SkewCorrected(
-      factor,
-      [&](const Vector& v, Vector& w) {
-        ++products;
-        w = Z * v;
-      },
-      b.size())
+  SkewCorrected([&](const Vector& right, Vector& out) { factor.solve(right, out); },
+                [&](const Vector& v, Vector& w) {
+                  ++products;
+                  w = Z * v;
+                },
+                b.size())
       .correct(x);
   return x;
 }

@@ -61,6 +61,42 @@ def test_a_sweep_in_which_all_fails_failed(scene: Path) -> None:
     assert run.returncode == FAILED
 
 
+# follow -------------------------------------------------------------------------------------------
+
+
+def test_follow_tells_what_is_special(tmp_path: Path) -> None:
+    text = """
+    [[rods]]
+    length = "1 m"
+    edges = 16
+    section = {EI1 = 4.0, EI2 = 1.0, GJ = 1.0}
+    [[supports]]
+    kind = "clamp"
+    [[loads]]
+    kind = "force"
+    force = [0, 0, -1]
+    at = "end"
+    """
+    (tmp_path / "column.toml").write_text(text)
+    run = pyrod_command(
+        *("follow", "column.toml", "loads.0.force.2", "0", "-4", "--json"),
+        *("-o", "path.csv", "--plot", "path.png"),
+        cwd=tmp_path,
+    )
+    assert run.returncode == 0, run.stderr
+    told = json.loads(run.stdout)
+    (point,) = told["special"]
+    assert point["kind"] == "supercritical pitchfork"
+    assert point["value"] == pytest.approx(-((32 * np.sin(np.pi / 64)) ** 2), rel=1e-10)
+    assert (told["ended"], told["values"][0], told["values"][-1]) == ("reached", 0.0, -4.0)
+    assert len((tmp_path / "path.csv").read_text().splitlines()) == 1 + len(told["values"])
+    assert (tmp_path / "path.png").stat().st_size > 1000
+    words = pyrod_command("follow", "column.toml", "loads.0.force.2", "0", "-4", cwd=tmp_path)
+    assert "SpecialPoint(supercritical pitchfork at -2.46" in words.stdout
+    wrong = pyrod_command("follow", "column.toml", "loads.0.forces", "0", "-4", cwd=tmp_path)
+    assert wrong.returncode == 2
+
+
 # check, info, demo --------------------------------------------------------------------------------
 
 

@@ -21,6 +21,7 @@ BELOW = {
     "solve": {"core", "sparse"},
     "statics": {"core", "rotation", "curve", "rod", "scene", "sparse", "solve"},
     "linear": {"core", "rotation", "curve", "rod", "scene", "sparse", "solve", "statics"},
+    "paths": {"core", "rotation", "curve", "rod", "scene", "sparse", "solve", "statics"},
 }
 """Folders, and those that they may include besides themselves."""
 ROOMS = ("unknowns", "equations", "solution", "start", "solving", "ladder", "")

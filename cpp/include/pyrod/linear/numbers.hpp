@@ -58,10 +58,7 @@ void require_alike(const Layout<Space>& layout, const Layout<Space>& base) {
 /// Tendons may differ in their tensions only, and their rods not in the lengths of edges.
 template <class Space>
 void require_same_tendons(const Network<Space>& net, const Network<Space>& like) {
-  const auto same = [](const RoutedTendon& a, const RoutedTendon& b) {
-    return a.rod == b.rod && a.first == b.first && a.last == b.last && a.samples() == b.samples() &&
-           a.softness == b.softness;
-  };
+  const auto same = [](const RoutedTendon& a, const RoutedTendon& b) { return a.runs_like(b); };
   require(
       std::ranges::equal(net.tendons, like.tendons, same),
       "linear: a change of the offset of a tendon, of its ends, or of its EA, has no derivative "

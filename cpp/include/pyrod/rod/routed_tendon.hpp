@@ -129,6 +129,12 @@ class RoutedTendon {
   /// Of all that are sampled.
   const std::vector<Vec2>& samples() const { return samples_; }
 
+  /// Whether the other is the same but for its tension or its length.
+  bool runs_like(const RoutedTendon& other) const {
+    return rod == other.rod && first == other.first && last == other.last &&
+           samples_ == other.samples_ && softness == other.softness;
+  }
+
  private:
   template <class Space>
   static Point<Space> in_section(const Vec2& d) {

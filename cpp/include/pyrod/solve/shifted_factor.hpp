@@ -105,7 +105,7 @@ class ShiftedFactor {
       skew(v, out);
       for (const int k : multipliers_.rows()) out[k] -= soft_[k] * v[k];
     };
-    SkewCorrected(factor_, difference, x.size()).correct(x);
+    corrected(difference, x);
   }
 
   /// All that is added to K in what is factorised.
@@ -119,7 +119,7 @@ class ShiftedFactor {
       rest(v, out);
       out -= shift_.cwiseProduct(v);
     };
-    SkewCorrected(factor_, difference, x.size()).correct(x);
+    corrected(difference, x);
   }
 
   std::size_t bytes() const {
@@ -130,6 +130,12 @@ class ShiftedFactor {
   double fill() const { return double(factor_.factor_entries()) / double(K_.rows.size()); }
 
  private:
+  template <class Difference>
+  void corrected(const Difference& difference, Vector& x) {
+    const auto solve_it = [this](const Vector& b, Vector& out) { factor_.solve(b, out); };
+    SkewCorrected(solve_it, difference, x.size()).correct(x);
+  }
+
   static constexpr double least_ = 1e-6;  ///< of the stiffness: what is added where K alone breaks
 
   /// Factorises K alone, if that can be.

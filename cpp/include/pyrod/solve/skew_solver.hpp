@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// \file Newton systems that are not symmetric, solved with the factor of their symmetric part.
+/// \file Linear systems near others that can be solved: those of Newton's method that are not
+/// symmetric, with the factor of their symmetric part, and bordered ones.
 #pragma once
 
 #include <pyrod/core/types.hpp>
-#include <pyrod/sparse/ldlt.hpp>
 
 #include <Eigen/SparseCore>
 #include <unsupported/Eigen/IterativeSolvers>
@@ -23,9 +23,9 @@ struct traits<pyrod::SkewCorrected> : traits<SparseMatrix<double>> {};
 
 namespace pyrod {
 
-/// The operator I + H⁻¹ Z, with H factorised and Z skew. A dead moment on one edge gives Z rank 2,
-/// so that GMRES ends after three products; moments along the rod give a compact operator, and few
-/// more.
+/// The operator I + H⁻¹ Z, where systems with H can be solved and Z is what they leave out. A dead
+/// moment on one edge gives Z rank 2, so that GMRES ends after three products; moments along the
+/// rod give a compact operator, and few more.
 class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
  public:
   using Scalar = double;
@@ -37,8 +37,11 @@ class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
     IsRowMajor = false
   };
 
-  SkewCorrected(Ldlt& H, std::function<void(const Vector&, Vector&)> Z, Eigen::Index size)
-      : H_(&H), Z_(std::move(Z)), size_(size) {}
+  /// From one vector to another; solutions may take the place of right-hand sides.
+  using Map = std::function<void(const Vector&, Vector&)>;
+
+  SkewCorrected(Map solve_H, Map Z, Eigen::Index size)
+      : solve_(std::move(solve_H)), Z_(std::move(Z)), size_(size) {}
   Eigen::Index rows() const { return size_; }
   Eigen::Index cols() const { return size_; }
 
@@ -50,7 +53,7 @@ class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
 
   void apply(const Vector& x, Vector& out) const {
     Z_(x, out);
-    H_->solve(out, out);
+    solve_(out, out);
     out += x;
   }
 
@@ -65,8 +68,7 @@ class SkewCorrected : public Eigen::EigenBase<SkewCorrected> {
   }
 
  private:
-  Ldlt* H_;
-  std::function<void(const Vector&, Vector&)> Z_;
+  Map solve_, Z_;
   Eigen::Index size_;
 };
 

@@ -13,6 +13,7 @@
 #include <pyrod/statics/unknowns/network_state.hpp>
 #include <pyrod/statics/unknowns/spans.hpp>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -53,7 +54,28 @@ class NetworkLoads {
       for (auto& F : rod) F *= part;
     find_sections(dead_, part);
     set_columns(dead_);
+    find_followers();
     find_moments();
+  }
+
+  /// Lets α times what acts in the one act together with β times what acts in the other, both on
+  /// networks that have the same unknowns as this one.
+  void blend(const NetworkLoads& a, double α, const NetworkLoads& b, double β) {
+    follows_ = a.follows_ || b.follows_, moments_ = a.moments_ || b.moments_;
+    part_ = α * a.part_ + β * b.part_, moments_part_ = α * a.moments_part_ + β * b.moments_part_;
+    dead_.vertices.resize(a.dead_.vertices.size());
+    for (std::size_t i = 0; i < dead_.vertices.size(); ++i)
+      add(a.dead_.vertices[i], α, b.dead_.vertices[i], β, dead_.vertices[i]);
+    add(a.dead_.nodes, α, b.dead_.nodes, β, dead_.nodes);
+    add(a.dead_.known, α, b.dead_.known, β, dead_.known);
+    set_columns(dead_);
+    add(a.node_moment_, α, b.node_moment_, β, node_moment_);
+    add(a.node_follower_, α, b.node_follower_, β, node_follower_);
+    join(a.edge_moments_, α, b.edge_moments_, β, edge_moments_);
+    join(a.follower_moments_, α, b.follower_moments_, β, follower_moments_);
+    follower_forces_.clear();
+    for (const auto& [of, part] : {std::pair(&a, α), std::pair(&b, β)})
+      for (auto f : of->follower_forces_) f.force *= part, follower_forces_.push_back(f);
   }
 
   bool conservative() const { return !follows_ && (spin == 1 || !moments_); }
@@ -71,10 +93,8 @@ class NetworkLoads {
   const Acting& acting(const State& x, Acting& changed) const {
     if (!follows_) return dead_;
     changed.vertices = dead_.vertices;
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
-      for (const auto& f : net_.loads[rod].follower_forces)
-        changed.vertices[rod][f.vertex] +=
-            part_ * rotate(x.frames[layout_.edge(rod, f.edge)], f.force);
+    for (const auto& f : follower_forces_)
+      changed.vertices[f.rod][f.vertex] += rotate(x.frames[f.edge], f.force);
     find_sections(changed, part_);
     set_columns(changed);
     return changed;
@@ -109,6 +129,14 @@ class NetworkLoads {
     }
   }
 
+  /// A force on a vertex of a rod, in the frame of that edge of all.
+  struct Following {
+    int rod, vertex, edge;
+    Point<Space> force;
+  };
+  /// The parts of them that act.
+  const std::vector<Following>& follower_forces() const { return follower_forces_; }
+
   using Moments = std::vector<std::pair<int, Spin<Space>>>;
 
   /// Spatial, on edges, with those of ends that turn freely.
@@ -120,8 +148,6 @@ class NetworkLoads {
   const std::vector<Spin<Space>>& node_follower_moments() const { return node_follower_; }
   const VertexForces<Space>& dead_forces() const { return dead_.vertices; }
   bool follow() const { return follows_; }
-  /// Of all forces, the part that acts.
-  double part() const { return part_; }
 
  private:
   /// Then sums from there do not lose what is small to what acts elsewhere.
@@ -133,6 +159,24 @@ class NetworkLoads {
 
   static void set_columns(Acting& now) {
     now.columns.assign(int(now.known.size()), [&](int e) { return now.known[e]; });
+  }
+
+  template <class List>
+  static void add(const List& a, double α, const List& b, double β, List& out) {
+    out.resize(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) out[i] = α * a[i] + β * b[i];
+  }
+  static void join(const Moments& a, double α, const Moments& b, double β, Moments& out) {
+    out.clear();
+    for (const auto& [edge, m] : a) out.emplace_back(edge, α * m);
+    for (const auto& [edge, m] : b) out.emplace_back(edge, β * m);
+  }
+
+  void find_followers() {
+    follower_forces_.clear();
+    for (int rod = 0; rod < int(net_.rods.size()); ++rod)
+      for (const auto& f : net_.loads[rod].follower_forces)
+        follower_forces_.push_back({rod, f.vertex, layout_.edge(rod, f.edge), part_ * f.force});
   }
 
   void find_moments() {
@@ -188,6 +232,7 @@ class NetworkLoads {
   const Network<Space>& net_;
   Acting dead_;
   Moments edge_moments_, follower_moments_;
+  std::vector<Following> follower_forces_;
   std::vector<Spin<Space>> node_moment_, node_follower_;
   double part_ = 1, moments_part_ = 1;
   bool follows_ = false, moments_ = false;

@@ -16,6 +16,7 @@
 #include <pyrod/statics/equations/network_cells.hpp>
 #include <pyrod/statics/equations/network_scales.hpp>
 #include <pyrod/statics/equations/network_skew.hpp>
+#include <pyrod/statics/equations/network_slope.hpp>
 #include <pyrod/statics/equations/network_spans.hpp>
 #include <pyrod/statics/equations/network_terms.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
@@ -48,6 +49,16 @@ class NetworkProblem {
     loads_.load(forces, moments);
     terms_.load(forces);
   }
+  /// Lets α times what acts in the one problem act together with β times what acts in the other,
+  /// both of networks that have the same unknowns as this one; tendons stay as they are.
+  void blend(const NetworkProblem& a, double α, const NetworkProblem& b, double β) {
+    loads_.blend(a.loads_, α, b.loads_, β);
+  }
+  /// out = ∂g/∂t at x, as t times what acts in `rate` is added to what acts.
+  void slope(const State& x, const NetworkProblem& rate, Vector& out) const {
+    find_slope(layout_, columns_, loads_, rate.loads_, x, out);
+  }
+
   bool conservative() const { return loads_.conservative(); }
   bool dead_loads() const { return !loads_.follow(); }
 

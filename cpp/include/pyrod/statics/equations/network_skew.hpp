@@ -4,9 +4,9 @@
 #pragma once
 
 #include <pyrod/core/types.hpp>
-#include <pyrod/rod/model.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/statics/equations/edge_columns.hpp>
+#include <pyrod/statics/equations/force_change.hpp>
 #include <pyrod/statics/equations/network_loads.hpp>
 #include <pyrod/statics/unknowns/layout.hpp>
 #include <pyrod/statics/unknowns/network_state.hpp>
@@ -55,45 +55,14 @@ class NetworkSkew {
     change.vertices = loads_.dead_forces();
     for (auto& rod : change.vertices) std::fill(rod.begin(), rod.end(), Point<Space>::Zero());
     const auto turn_of = [&](int e) { return Spin<Space>(v.segment<spin>(layout_.frame_row(e))); };
-    for (int rod = 0; rod < int(net_.rods.size()); ++rod) {
-      for (const auto& f : net_.loads[rod].follower_forces) {
-        const int e = layout_.edge(rod, f.edge);
-        change.vertices[rod][f.vertex] -=
-            loads_.part() * rotate(x.frames[e], Point<Space>(skew(f.force) * turn_of(e)));
-      }
-    }
+    for (const auto& f : loads_.follower_forces())
+      change.vertices[f.rod][f.vertex] -=
+          rotate(x.frames[f.edge], Point<Space>(skew(f.force) * turn_of(f.edge)));
     for (const auto& [edge, m] : loads_.follower_moments())  // +½ [M]
       out.segment<spin>(layout_.frame_row(edge)) -= spin_skew(turn_of(edge)) * m / 2;
     loads_.find_sections(change, 0);
     typename NetworkLoads<Space>::Acting changed;
-    const auto &dn = change.known, n = loads_.sections(x, loads_.acting(x, changed));
-    for (const auto& span : layout_.spans()) {
-      Point<Space> reach = Point<Space>::Zero();
-      for (int j = span.first; j < span.last; ++j) {
-        const int e = layout_.edge(span.rod, j);
-        const double h = net_.rods[span.rod].grid.h(j);
-        const Point<Space> S = columns_.compliance[e], b = unrotate(x.frames[e], n[e]);
-        const Point<Space> db = unrotate(x.frames[e], dn[e]), dΓ = S.cwiseProduct(db);
-        out.segment<spin>(layout_.frame_row(e)) +=
-            h * (cross(db, Point<Space>(axis<Space>() + S.cwiseProduct(b))) + cross(b, dΓ));
-        reach += h * rotate(x.frames[e], dΓ);
-      }
-      if (span.block >= 0)
-        out.segment(layout_.row(span.block), span.open.cols()) -= span.open.transpose() * reach;
-    }
-    for (int node = 0; node < int(net_.nodes.size()); ++node)
-      if (const int b = layout_.place_block(node); b >= 0) {
-        Point<Space> balance = -change.nodes[node];
-        for (const auto& [p, end] : layout_.spans_at(node)) {
-          const auto& span = layout_.spans()[p];
-          if (end)
-            balance += dn[layout_.edge(span.rod, span.last - 1)];
-          else
-            balance -= dn[layout_.edge(span.rod, span.first)];
-        }
-        const auto& F = net_.nodes[node].free;
-        out.segment(layout_.row(b), F.cols()) += F.transpose() * balance;
-      }
+    ForceChange<Space>(layout_, columns_).add(x, loads_.acting(x, changed), change, out);
   }
 
   const Layout<Space>& layout_;
