@@ -1,4 +1,4 @@
-"""Tendons: closed forms, an own integration of the equations of tendon robots, and invariances."""
+"""Tendons of given tension: closed forms, an own integration of tendon robots, and invariances."""
 
 from __future__ import annotations
 
@@ -6,33 +6,21 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tendon_robots import (
+    DISTANCE,
+    HELICAL,
+    LENGTH,
+    PARALLEL,
+    TIP_FORCE,
+    WIRE,
+    converging,
+    helix,
+    robot,
+)
 
 import pyrod
-from pyrod import Clamp, Force, Gravity, Hinge, Joint, Moment, Rod, Scene, Section, Tendon
-from pyrod.rotation import exp, log, multiply, rotate
-
-LENGTH, DISTANCE = 0.242, 8e-3
-STEEL = pyrod.Material(E=210e9, nu=0.3125)
-WIRE = replace(Section.circle(0.4e-3, STEEL), GA1=np.inf, GA2=np.inf, EA=np.inf)
-TIP_FORCE = (0.05, 0.1, -0.05)
-
-
-def helix(s):
-    turn = 2 * np.pi * s / LENGTH
-    return DISTANCE * np.cos(turn), DISTANCE * np.sin(turn)
-
-
-def converging(s):
-    return DISTANCE * (1 - 0.7 * s / LENGTH), 0.0
-
-
-def robot(tendons, loads=(), edges=8, space="spatial", rod=None, clamp=None):
-    rod = rod or Rod.straight(LENGTH, edges, WIRE, "inextensible")
-    return Scene(rod, clamp or Clamp(), loads, space, actuators=tendons)
-
-
-PARALLEL = Tendon((DISTANCE, 0), 5)
-HELICAL = Tendon(helix, 5)
+from pyrod import Clamp, Force, Gravity, Hinge, Joint, Moment, Rod, Scene, Tendon
+from pyrod.rotation import exp, multiply, rotate
 
 # own integration of the tendon-rod equations (DOP853, 1e-13): tip over L, tendon over L
 REFERENCES = {
@@ -250,83 +238,6 @@ def test_a_support_inside_gets_vertices_and_rows_follow():
     assert max(function.balance) < 1e-8
 
 
-def potential(frames, tension, offset, edges, force):
-    """Bending and twisting, the work of one tendon and of a force along z at the tip."""
-    h = LENGTH / edges
-    clamp = np.array([1.0, 0, 0, 0])
-    total = 0.0
-    for j in range(edges):
-        a = clamp if j == 0 else frames[j - 1]
-        u = log(multiply(a * [1, -1, -1, -1], frames[j]))
-        ds, start = (h / 2, 0.0) if j == 0 else (h, (j - 0.5) * h)
-        stiffness = np.array([WIRE.EI1, WIRE.EI2, WIRE.GJ])
-        total += (stiffness * u**2).sum() / (2 * ds)
-        before, middle, behind = (
-            np.array([*offset(start + part * ds), 0.0]) for part in (0, 0.5, 1)
-        )
-        v = np.array([0, 0, ds]) + behind - before + np.cross(u, middle)
-        total += tension * np.linalg.norm(v)
-        total -= force * h * rotate(frames[j], [0.0, 0, 1])[2]
-    return total
-
-
-def second_variation(result, tension, offset, force, step=2e-4):
-    """The Hessian in rotation vectors of the edges, by differences of the potential."""
-    frames = result.frames
-    size = frames.size // 4 * 3
-
-    def turned(x):
-        return multiply(frames, exp(x.reshape(-1, 3)))
-
-    def at(x):
-        return potential(turned(x), tension, offset, len(frames), force)
-
-    units = step * np.eye(size)
-    there = [[at(s * a) for a in units] for s in (1, -1)]
-    here = at(np.zeros(size))
-    out = np.diag([(p - 2 * here + m) / step**2 for p, m in zip(*there, strict=True)])
-    for i in range(size):
-        for k in range(i):
-            corners = [s * t * at(s * units[i] + t * units[k]) for s in (1, -1) for t in (1, -1)]
-            out[i, k] = out[k, i] = sum(corners) / (4 * step**2)
-    return out
-
-
-@pytest.mark.parametrize(
-    ("tension", "force"),
-    [(5.0, 0.0), (25.0, 0.0), (2.0, -1.0), (0.5, -2.5), (1.0, -4.0)],
-)
-def test_the_index_counts_the_falling_directions_of_the_potential(tension, force):
-    """A robot that is bent by its tendon and pressed at its tip falls out of the plane."""
-    edges = 6
-    loads = Force((0, 0, force))
-    scene = robot(Tendon(converging, tension), loads, edges=edges)
-    result = pyrod.solve(replace(scene, space="planar"), stable=False)
-    result = pyrod.solve(scene, start=result, stable=False, eigenvalue=True, strict=False)
-    assert result.converged
-    H = second_variation(result, tension, converging, force)
-    eigenvalues = np.linalg.eigvalsh(H)
-    assert result.index == (eigenvalues < 0).sum()
-    assert (result.index > 0) == (force < -2)
-    # of K v = lambda M v, M the share of each edge in the length
-    assert result.lowest_eigenvalue == pytest.approx(eigenvalues[0] * edges, rel=1e-4)
-
-
-def test_what_would_fall_out_of_the_plane_settles_there():
-    scene = robot(Tendon(converging, 2.0), Force((0, 0, -0.5)), edges=12)
-    result = pyrod.solve(scene)
-    assert result.index == 0
-    assert max(result.balance) < 1e-12
-
-
-@pytest.mark.parametrize("tension", [5.0, 20.0])
-def test_tendons_alone_never_make_a_clamped_rod_unstable(tension):
-    """Lengths of tendons are convex in the turns of the cells, which are free."""
-    result = pyrod.solve(robot([Tendon(helix, tension), Tendon(converging, tension)]))
-    assert result.index == 0
-    assert result.descents == 0
-
-
 def test_scenes_of_several_rods_and_ball_joints():
     rods = [
         Rod.straight(LENGTH, 8, WIRE, "inextensible"),
@@ -377,147 +288,3 @@ def test_the_backbone_law_holds_at_all_vertices():
     assert np.abs(result.material_moment - carried).max() < 1e-9 * np.abs(carried).max()
     force = rotate(back, result.vertex_force - result.backbone_force)
     assert np.abs(force - 5 * t).max() < 1e-8
-
-
-# Given length -------------------------------------------------------------------------------------
-
-
-def behind(s):
-    """The same helix, a third of a turn further."""
-    return helix(s + LENGTH / 3)
-
-
-def pulled_by(lengths, loads=(), edges=8, EA=None, **more):
-    offsets = [helix, behind]
-    return robot(
-        [Tendon(d, length=x * LENGTH, EA=EA) for d, x in zip(offsets, lengths, strict=False)],
-        loads,
-        edges,
-        **more,
-    )
-
-
-def test_two_helices_pulled_by_five_and_two_percent():
-    result = pyrod.solve(pulled_by((0.95, 0.98), Force(TIP_FORCE)))
-    assert result.iterations <= 7  # the last looks whether there is more to do
-    assert result.index == 0
-    assert result.multipliers == 2
-    for tendon, length in zip(result.tendons, (0.95, 0.98), strict=True):
-        assert tendon.length == pytest.approx(length * LENGTH, rel=1e-13)
-        assert not tendon.slack
-    tensions = [tendon.tension for tendon in result.tendons]
-    prescribed = [
-        Tendon(helix, tensions[0]),
-        Tendon(behind, tensions[1]),
-    ]
-    again = pyrod.solve(robot(prescribed, Force(TIP_FORCE)))
-    assert np.abs(again.positions - result.positions).max() < 1e-12 * LENGTH
-
-
-@pytest.mark.parametrize("tension", [0.5, 5.0, 12.0])
-@pytest.mark.parametrize("space", ["planar", "spatial"])
-def test_from_tension_to_length_and_back(tension, space):
-    loads = Force((0.1, 0, -0.3))
-    one = pyrod.solve(robot(Tendon(converging, tension), loads, space=space))
-    held = Tendon(converging, length=one.tendons[0].length)
-    back = pyrod.solve(robot(held, loads, space=space))
-    assert back.tendons[0].tension == pytest.approx(tension, rel=1e-10)
-    assert np.abs(back.positions - one.positions).max() < 1e-12 * LENGTH
-    assert max(back.balance) < 1e-12
-
-
-@pytest.mark.parametrize("EA", [30.0, 3e2, 1e4, 1e8])
-def test_tendons_that_stretch(EA):
-    length = 0.93 * LENGTH
-    result = pyrod.solve(robot(Tendon(helix, length=length, EA=EA)))
-    tendon = result.tendons[0]
-    assert tendon.length == pytest.approx(length * (1 + tendon.tension / EA), rel=1e-13)
-    same = pyrod.solve(robot(Tendon(helix, tendon.tension)))
-    assert np.abs(same.positions - result.positions).max() < 1e-12 * LENGTH
-    stiff = pyrod.solve(robot(Tendon(helix, length=length)))
-    assert result.iterations <= stiff.iterations + 1
-
-
-def test_long_tendons_are_slack():
-    loads = Force((0.0, 0.2, 0))
-    result = pyrod.solve(robot([Tendon((DISTANCE, 0), length=1.05 * LENGTH), HELICAL], loads))
-    bare = pyrod.solve(robot(HELICAL, loads))
-    assert result.tendons[0].slack
-    assert result.tendons[0].tension == 0
-    assert np.abs(result.positions - bare.positions).max() < 1e-12 * LENGTH
-    assert result.tendons[0].length < 1.05 * LENGTH
-    assert result.index == bare.index == 0
-
-
-def test_a_slack_tendon_becomes_taut_when_the_rod_bends_away():
-    """Two tendons of the rod's own length on both sides: one is slack under a load, one is not."""
-    pair = [Tendon((x, 0), length=LENGTH) for x in (DISTANCE, -DISTANCE)]
-    for sign in (1, -1):
-        result = pyrod.solve(robot(pair, Force((0.3 * sign, 0, 0.0))))
-        taut, slack = result.tendons[::-sign]
-        assert slack.slack
-        assert slack.length < LENGTH * (1 + 1e-12)
-        assert not taut.slack
-        assert taut.tension > 0
-        assert taut.length == pytest.approx(LENGTH, rel=1e-13)
-
-
-def test_given_lengths_to_a_tolerance():
-    result = pyrod.solve(pulled_by((0.95, 0.98), Force(TIP_FORCE)), tol=1e-9)
-    assert result.accuracy.regular
-    assert result.tendons[0].length == pytest.approx(0.95 * LENGTH, rel=1e-12)
-    tensions = [tendon.tension for tendon in result.tendons]
-    prescribed = [
-        Tendon(helix, tensions[0]),
-        Tendon(behind, tensions[1]),
-    ]
-    again = pyrod.solve(robot(prescribed, Force(TIP_FORCE)), tol=1e-9)
-    assert np.abs(again.tip - result.tip).max() < 1e-8 * LENGTH
-
-
-def test_what_stretches_the_index_counts_motions_that_keep_lengths():
-    """Held by its length a robot is stiffer than under the same tension."""
-    one = pyrod.solve(robot(Tendon(converging, 5)), eigenvalue=True)
-    held = Tendon(converging, length=one.tendons[0].length)
-    other = pyrod.solve(robot(held), eigenvalue=True)
-    assert other.lowest_eigenvalue >= one.lowest_eigenvalue - 1e-9
-    assert other.index == 0
-
-
-def test_given_length_with_inner_ends_supports_and_gravity():
-    rod = Rod.straight(LENGTH, 12, replace(WIRE, mass_per_length=0.02), "inextensible")
-    scene = Scene(
-        rod,
-        [Clamp(), Hinge((0.01, 0, 0.14), at=0.15)],
-        Gravity((0, -9.81, 0)),
-        actuators=[Tendon(helix, length=0.98 * 0.19, start=0.03, end=0.22)],
-    )
-    result = pyrod.solve(scene)
-    assert result.converged
-    assert max(result.balance) < 1e-12
-    tendon = result.tendons[0]
-    assert tendon.slack or tendon.length == pytest.approx(0.98 * 0.19, rel=1e-12)
-
-
-def test_moments_on_ends_beside_a_given_length_are_refused():
-    with pytest.raises(ValueError, match="give its tension"):
-        pyrod.solve(robot(Tendon(helix, length=0.9 * LENGTH), Moment((0, 0.001, 0))))
-    with pytest.raises(ValueError, match="on the axis"):
-        pyrod.solve(robot(Tendon((0, 0), length=0.9 * LENGTH)))
-
-
-def test_derivatives_by_a_length():
-    def at(share):
-        return pyrod.solve(pulled_by((share, 0.98), Force(TIP_FORCE)))
-
-    told = pyrod.linearised(at(0.95)).jvp({"actuators.0.length": LENGTH})
-    step = 1e-5
-    ahead, before = at(0.95 + step), at(0.95 - step)
-    for name in ("positions", "K", "moment"):
-        slope = (getattr(ahead, name) - getattr(before, name)) / (2 * step)
-        rows = slice(1, -1) if name == "K" else slice(None)  # at the ends it is told by the moment
-        assert np.abs(told[name] - slope)[rows].max() < 1e-5 * max(np.abs(slope).max(), 1e-3)
-    for i in (0, 1):
-        slope = (ahead.tendons[i].tension - before.tendons[i].tension) / (2 * step)
-        assert told[f"tendons.{i}.tension"] == pytest.approx(slope, rel=1e-5)
-    assert told["tendons.0.length"] == pytest.approx(LENGTH, rel=1e-9)
