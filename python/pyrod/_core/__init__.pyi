@@ -9,8 +9,7 @@ import typing
 from . import rotation
 from . import section
 from . import curve
-__all__: list[str] = ['Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'PointMass', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'Tendon', 'breaks', 'build', 'curve', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
-__all__: list[str] = ['Branch', 'Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'breaks', 'build', 'curve', 'follow', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
+__all__: list[str] = ['Branch', 'Clamp', 'DistributedForce', 'DistributedMoment', 'Equilibrium', 'Force', 'Gravity', 'Hinge', 'Joint', 'Linearised', 'Moment', 'Options', 'Pivot', 'PointMass', 'Rod', 'RodSolution', 'Scene', 'SingularEquilibrium', 'Sleeve', 'Slider', 'Solver', 'Spring', 'Tendon', 'breaks', 'build', 'curve', 'follow', 'limit', 'natural_edges', 'rotation', 'section', 'solve_all']
 class Rod:
     """
     A rod as it was given, and on its grid.
@@ -386,6 +385,7 @@ class Linearised:
         ...
     @property
     def weights(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
 class Branch:
     """
     Equilibria one behind the other.
