@@ -73,16 +73,15 @@ class ToldMaps {
   /// Of a tension, which is a number or a part of the state.
   template <class Change>
   void add_tension(int to, int tendon, const Change& change) {
-    const bool given = layout_.tendon_block(tendon) < 0;
-    (given ? of_numbers_ : of_state_)
-        .add(to, given ? numbers_.tendon(tendon) : state_.tendon(tendon), change);
+    if (layout_.tendon_block(tendon) < 0)
+      return of_numbers_.add(to, numbers_.tendon(tendon), change);
+    of_state_.add(to, state_.tendon(tendon), change);
   }
 
   void tell_tendons(const CellOfNetwork<Space>& c) {
     terms_.for_each_tendon(c.rod, c.vertex, c.kind, c.u, [&](int i, double, const auto& length) {
-      const int to = told_.tendon_length(i);
-      of_state_.add(to, c.a, Row(-(c.T() * length.slope).transpose()));
-      of_state_.add(to, c.b, Row(length.slope.transpose() * c.T()));
+      of_state_.add(told_.tendon_length(i), c.a, Row(-(c.T() * length.slope).transpose()));
+      of_state_.add(told_.tendon_length(i), c.b, Row(length.slope.transpose() * c.T()));
     });
   }
 
@@ -94,10 +93,10 @@ class ToldMaps {
   }
 
   void tell_elastic(const CellOfNetwork<Space>& c, const TurnJet<Space>& jet) {
-    of_state_.add(told_.energy(), c.a, Row(jet.a.transpose()));
-    of_state_.add(told_.energy(), c.b, Row(jet.b.transpose()));
-    of_numbers_.add(told_.energy(), c.stiffness, Row(c.strain().cwiseAbs2().transpose() / 2));
-    of_numbers_.add(told_.energy(), c.rest, Row(-c.m().transpose()));
+    const int to = told_.energy();
+    of_state_.add(to, c.a, Row(jet.a.transpose())), of_state_.add(to, c.b, Row(jet.b.transpose()));
+    of_numbers_.add(to, c.stiffness, Row(c.strain().cwiseAbs2().transpose() / 2));
+    of_numbers_.add(to, c.rest, Row(-c.m().transpose()));
   }
 
   void tell(const CellOfNetwork<Space>& c) {
@@ -120,8 +119,7 @@ class ToldMaps {
     tell_spatial(c, jet, told_.reaction_moment(a->node), c.kind == CellKind::before ? 1 : -1);
   }
 
-  /// The mean of a cell. Of one that a held frame cuts, what the moment there makes of the half
-  /// behind, theory (21).
+  /// The mean of a cell; of the half behind a held frame, what the moment there makes, theory (21).
   void tell_curvature(const CellOfNetwork<Space>& c, const TurnJet<Space>& jet, int to) {
     const auto& grid = net_.rods[c.rod].grid;
     const bool inside = c.vertex > 0 && c.vertex < grid.edges();
