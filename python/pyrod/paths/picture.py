@@ -23,7 +23,7 @@ def draw_path(
     if ax is None:
         _, ax = need("matplotlib.pyplot", "plot").subplots(layout="constrained")
     colour = style.pop("color", None) or ax.plot([], [])[0].get_color()
-    for first, last, solid in _pieces(stable):
+    for first, last, solid in _stretches(stable):
         look = {"linestyle": "-" if solid else "--", "color": colour, **style}
         ax.plot(x[first:last], y[first:last], **look)
     for across, up, words in marks:
@@ -33,7 +33,7 @@ def draw_path(
     return ax
 
 
-def _pieces(stable: np.ndarray) -> list[tuple[int, int, bool]]:
+def _stretches(stable: np.ndarray) -> list[tuple[int, int, bool]]:
     """Parts of one kind, each up to the first point of the next."""
     cuts = [0, *(np.flatnonzero(np.diff(stable)) + 1), len(stable)]
     return [(int(a), min(int(b) + 1, len(stable)), bool(stable[a])) for a, b in pairwise(cuts)]

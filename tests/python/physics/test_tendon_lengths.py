@@ -79,6 +79,15 @@ def test_long_tendons_are_slack():
     assert result.index == bare.index == 0
 
 
+@pytest.mark.parametrize("share", [1.5, 10.0])
+def test_much_too_long_tendons_are_slack(share):
+    loads = Force((0.0, 0.2, 0))
+    result = pyrod.solve(robot(Tendon(helix, length=share * LENGTH), loads))
+    assert result.tendons[0].slack
+    bare = pyrod.solve(robot((), loads))
+    assert np.abs(result.positions - bare.positions).max() < 1e-12 * LENGTH
+
+
 def test_a_slack_tendon_becomes_taut_when_the_rod_bends_away():
     """Two tendons of the rod's own length on both sides: one is slack under a load, one is not."""
     pair = [Tendon((x, 0), length=LENGTH) for x in (DISTANCE, -DISTANCE)]

@@ -77,6 +77,7 @@ class GridSolve {
   /// but much of the shape.
   void solve(State start, Hessian first, bool resort, bool estimate = false) {
     const bool open = !layout_.determinate();  // some forces are found, not told
+    loosen(problem_, start);
     if (!resort)
       search_.keep(newton_.solve(std::move(start), first, estimate, estimate && more_.anchored));
     else

@@ -44,14 +44,35 @@ std::vector<double> lengths_of_tendons(const NetworkProblem<Space>& problem,
   return out;
 }
 
+namespace detail {
+
+template <class Space>
+bool holds_lengths(const Layout<Space>& layout) {
+  for (int i = 0; i < int(layout.network().tendons.size()); ++i)
+    if (layout.tendon_block(i) >= 0) return true;
+  return false;
+}
+
+}  // namespace detail
+
+/// Of a start that does not tell, tendons are slack that are longer than their ways there.
+template <class Space>
+void loosen(const NetworkProblem<Space>& problem, NetworkState<Space>& x) {
+  const auto& layout = problem.layout();
+  if (!x.slack.empty() || !detail::holds_lengths(layout)) return;
+  const auto lengths = lengths_of_tendons(problem, x);
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    x.slack.push_back(layout.tendon_block(int(i)) >= 0 &&
+                      lengths[i] < *layout.network().tendons[i].length * (1 - 1e-12));
+}
+
 /// Lets tendons go slack that would push, and those bear again that are too short. Whether any did.
 template <class Space>
 bool settle(const NetworkProblem<Space>& problem, NetworkState<Space>& x) {
   const auto& layout = problem.layout();
   const auto& tendons = layout.network().tendons;
-  bool any = false, given = true;
-  for (int i = 0; i < int(tendons.size()); ++i) given = given && layout.tendon_block(i) < 0;
-  if (given) return false;
+  bool any = false;
+  if (!detail::holds_lengths(layout)) return false;
   x.slack.resize(tendons.size(), false), x.tensions.resize(tendons.size(), 0.);
   const auto lengths = lengths_of_tendons(problem, x);
   for (std::size_t i = 0; i < tendons.size(); ++i) {
