@@ -126,9 +126,9 @@ class Solver:
             scene = changes
         else:
             scene, new = changed(self.scene, changes)
-        parts = compiled_parts(new or {})
+        rods, supports, joints, loads, actuators = compiled_parts(new or {})
         given: Any = None if new is not None and in_step else compiled_of(scene)
-        found = self._solver.solve(given, *parts, *self._how)
+        found = self._solver.solve(given, rods, supports, joints, loads, actuators, *self._how)
         self._numbers = NewNumbers(scene)
         self._in_step = True
         return equilibrium_of(scene, found, self._how, perf_counter() - began)
