@@ -82,7 +82,7 @@ class SpecialPoint:
         self.error: float
         """Of ``value``: on the edges of the scenes that of the search, and rounding; with ``tol``
         what the grids tell."""
-        self.index_before: int  #: stability index before it, along the path; -1: no potential
+        self.index_before: int  #: stability index before it, along the path; -1 without a potential
         self.index_behind: int
         self.behind: int  #: so many points of the branch lie before it
         self.branches: bool  #: whether another branch crosses, which `switch` follows
@@ -198,10 +198,11 @@ class Branch:
         self.name = _scenes.name  #: of the number that changes
         self.values: Array = compiled.values  #: of that number at the points
         self.indices: Array = compiled.indices
-        """Stability indices of the points; -1: the loads have no potential."""
+        """Stability indices of the points; -1 if the loads have no potential."""
         self.ended: str = compiled.ended
-        """"reached": ``stop``; "turned back": as far on the other side of ``start``;
-        "max_points"; "interrupted": by Ctrl-C; "lost": no next point was found, see ``reason``."""
+        """Why there are no more points, "reached" (``stop``), "turned back" (as far on the other
+        side of ``start``), "max_points", "interrupted" (by Ctrl-C) or "lost" (no next point was
+        found, see ``reason``)."""
         self.reason: str = compiled.reason  #: why it was lost, if a scene was refused there
         self.special = tuple(SpecialPoint(self, i, told) for i, told in enumerate(compiled.special))
 

@@ -66,10 +66,14 @@ def test_a_sweep_in_which_all_fails_failed(scene: Path) -> None:
 
 def test_follow_tells_what_is_special(tmp_path: Path) -> None:
     text = """
+    [sections.strip]
+    EI1 = 4.0
+    EI2 = 1.0
+    GJ = 1.0
     [[rods]]
     length = "1 m"
     edges = 16
-    section = {EI1 = 4.0, EI2 = 1.0, GJ = 1.0}
+    section = "strip"
     [[supports]]
     kind = "clamp"
     [[loads]]
