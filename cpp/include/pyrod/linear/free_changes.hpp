@@ -34,7 +34,7 @@ class FreeChanges {
     const auto& items = at_.told;
     const double moment = at_.layout.unit_moment(), force = moment / length_;
     const int edges = at_.layout.edges(), vertices = items.vertices(),
-              nodes = int(at_.net.nodes.size());
+              nodes = int(at_.net.nodes.size()), tendons = int(at_.net.tendons.size());
     state.rightCols(state.cols() - 2 * edges).setZero();
     told.leftCols(edges).setZero();  // reaches are told by positions
     clean(state.leftCols(edges), 1), clean(state.middleCols(edges, edges), force);
@@ -45,7 +45,9 @@ class FreeChanges {
     clean(told.middleCols(items.rotation(0), vertices), 1);
     clean(told.middleCols(items.reaction_force(0), nodes), force);
     clean(told.middleCols(items.reaction_moment(0), nodes), moment);
-    clean(told.rightCols(1), moment);
+    clean(told.middleCols(items.energy(), 1), moment);
+    clean(told.middleCols(items.tendon_length(0), tendons), length_);
+    clean(told.middleCols(items.tension(0), tendons), force);
     clean(change.positions.leftCols(vertices), length_);
     all_.push_back(std::move(change));
   }

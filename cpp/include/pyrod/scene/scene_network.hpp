@@ -217,6 +217,11 @@ class NetworkMaker {
       }
       held = hold(*meeting.support, frame);
     }
+    require(
+        meeting.rigid || meeting.parted.empty() || meeting.parted[0] == meeting.held ||
+            (!held.frame && held.turns.cols() == 3),
+        "actuators: a tendon ends, or has a kink, in a ball joint where a support holds another "
+        "rod; let it end beside it");
     require(position.allFinite(), "supports: position: expected finite numbers, got ",
             position.transpose());
     meeting.at = {position, frame};
