@@ -174,3 +174,15 @@ def test_without_tendons_the_backbone_carries_all():
     result = pyrod.solve(Scene(ROD, Clamp(), Force((0, 0.1, 0))))
     assert np.array_equal(result.backbone_force, result.vertex_force)
     assert result.tendons == ()
+
+
+def test_a_tendon_does_not_end_in_a_ball_joint_that_is_held_for_another_rod():
+    arm = Rod.straight(1.0, 4, Section(1, 1, 0.8))
+    arm = arm.placed((0, 0, 0.5), tangent=(1, 0, 0), normal=(0, 0, -1))
+    joint = pyrod.Joint(((0, 0.5), (1, "start")), "ball")
+    held = [Clamp(), pyrod.Hinge(at=(1, "end"))]
+    beside = Scene([ROD, arm], held, joints=joint, actuators=Tendon((0.05, 0), 1, end=0.5))
+    assert pyrod.solve(beside).converged
+    held[1] = Clamp(at=(1, "start"))
+    with pytest.raises(ValueError, match="ends, or has a kink, in a ball joint"):
+        pyrod.solve(replace(beside, supports=held))
