@@ -64,20 +64,26 @@ def diagram(
     Returns
     -------
     Diagram
+        Ctrl-C ends it, and keeps what was found.
     """
     depth = whole(depth, "depth")
     first = follow(family, start, stop, max_points=max_points, equilibrium=equilibrium)
     branches, last = [first], [first]
     known: list[tuple[float, Array]] = []
     for _ in range(depth):
-        last = [
-            point.switch(side)
+        crossing = [
+            (point, side)
             for branch in last
             for point in branch.special
             if point.branches and _is_new(point, known)
             for side in (1, -1)
         ]
-        branches += last
+        last = []
+        for point, side in crossing:
+            if branches[-1].ended == "interrupted":
+                return Diagram(branches)
+            last.append(point.switch(side))
+            branches.append(last[-1])
     return Diagram(branches)
 
 

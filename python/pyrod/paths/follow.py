@@ -18,6 +18,9 @@ from pyrod.solving.job import DEFAULTS
 from pyrod.solving.run import solved
 from pyrod.stability.state import halved
 
+_LEAST = 1e-3
+"""Of the range: what errors of values are relative to at the least."""
+
 
 def follow(
     family: Family,
@@ -48,9 +51,10 @@ def follow(
         The number at the start, and where the path ends. It also ends as far on the other side of
         ``start``.
     tol : float
-        Largest relative error wanted of the values of special points: they are followed on the
-        edges of the scenes, on these halved, and so on, and extrapolated. The points of the branch
-        stay on the first of these. Default: no other edges than those of the scenes.
+        Largest error wanted of the values of special points, relative to these, or to a thousandth
+        of the range where they are smaller: they are followed on the edges of the scenes, on these
+        halved, and so on, and extrapolated. The points of the branch stay on the first of these.
+        Default: no other edges than those of the scenes.
     max_points : int
         Points at the most; default 500.
     equilibrium : `Equilibrium`
@@ -95,4 +99,5 @@ def follow(
     with progress_shown(progress, max_points, "points") as show:
         if tol is None:
             return on(None, equilibrium, show)
-        return extrapolated(lambda level, near: on(level, near, show), equilibrium, tol)
+        least = _LEAST * abs(stop - start)
+        return extrapolated(lambda level, near: on(level, near, show), equilibrium, tol, least)

@@ -17,10 +17,11 @@ _MOST = 6
 Follow = Callable[[int, Equilibrium | None], Branch]
 
 
-def extrapolated(follow: Follow, start: Equilibrium | None, tol: float) -> Branch:
+def extrapolated(follow: Follow, start: Equilibrium | None, tol: float, least: float) -> Branch:
     """The branch on the first grid that has what all finer ones have.
 
-    Its special points are at the values that those of all grids tend to.
+    Its special points are at the values that those of all grids tend to. Errors are relative to the
+    values, or to ``least`` where these are smaller.
     """
     grids: list[Branch] = []
     best: list[tuple[float, float]] = []
@@ -33,14 +34,18 @@ def extrapolated(follow: Follow, start: Equilibrium | None, tol: float) -> Branc
         if len(grids) < 3:
             continue
         best = _better(best, _limits(grids))
-        if all(error <= tol * abs(value) for value, error in best):
+        if all(_relative(*one, least) <= tol for one in best):
             break
     else:
-        _warn(grids, best, tol)
+        _warn(grids, best, tol, least)
     first = grids[0]
     for point, (value, error) in zip(first.special, best, strict=False):
         point.value, point.error = value, error
     return first
+
+
+def _relative(value: float, error: float, least: float) -> float:
+    return error / max(abs(value), least)
 
 
 def _kinds(branch: Branch) -> list[str]:
@@ -53,10 +58,11 @@ def _limits(grids: list[Branch]) -> list[tuple[float, float]]:
 
 def _limit(grids: list[Branch], k: int) -> tuple[float, float]:
     values = [np.array([branch.special[k].value]) for branch in grids]
-    noise = max(branch.special[k].error for branch in grids) / (abs(values[-1][0]) or 1.0)
+    searched = max(branch.special[k].error for branch in grids)
+    noise = searched / (abs(values[-1][0]) or 1.0)
     even = grids[0].points[0].equilibrium.scene.space == "planar"
     value, error, _ = _core.limit(values, even, noise)
-    return float(value[0]), float(error)
+    return float(value[0]), max(float(error), searched)
 
 
 def _better(
@@ -67,11 +73,11 @@ def _better(
     return [min(pair, key=lambda one: one[1]) for pair in zip(before, now, strict=True)]
 
 
-def _warn(grids: list[Branch], best: list[tuple[float, float]], tol: float) -> None:
+def _warn(grids: list[Branch], best: list[tuple[float, float]], tol: float, least: float) -> None:
     if not best:
         told = "; ".join(", ".join(_kinds(branch)) or "nothing" for branch in grids[-2:])
         words = f"the grids differ in what the path meets ({told}), so that nothing is extrapolated"
     else:
-        most = max(error / abs(value) for value, error in best)
+        most = max(_relative(*one, least) for one in best)
         words = f"the values of special points have errors of {most:.1e}, {tol:.1e} was wanted"
     warnings.warn(words, AccuracyWarning, stacklevel=4)

@@ -5,6 +5,7 @@
 
 #include "support/dense.hpp"
 #include "support/difference.hpp"
+#include "support/jets.hpp"
 #include "support/models.hpp"
 #include "support/near.hpp"
 #include "support/random.hpp"
@@ -42,22 +43,6 @@ struct Cell {
     return out;
   }
 };
-
-constexpr int twice(int spin) { return 2 * spin; }
-
-template <class Space>
-Vec<twice(Space::spin)> gradient(const TurnJet<Space>& jet) {
-  Vec<twice(Space::spin)> g;
-  g << jet.a, jet.b;
-  return g;
-}
-
-template <class Space>
-Mat<twice(Space::spin)> hessian(const TurnJet<Space>& jet) {
-  Mat<twice(Space::spin)> H;
-  H << jet.aa, jet.ab, jet.ab.transpose(), jet.bb;
-  return H;
-}
 
 const std::vector<double> angles{0, 1e-9, 0.01, 0.7, 0.72, 1.5, 3.14, 3.15, 4.5};
 

@@ -8,6 +8,7 @@
 
 #include "support/dense.hpp"
 #include "support/difference.hpp"
+#include "support/jets.hpp"
 #include "support/models.hpp"
 #include "support/near.hpp"
 #include "support/random.hpp"
@@ -18,21 +19,6 @@ using namespace pyrod;
 using namespace pyrod::test;
 
 namespace {
-
-constexpr int twice(int spin) { return 2 * spin; }
-
-template <class Space>
-Vec<twice(Space::spin)> gradient(const TurnJet<Space>& jet) {
-  Vec<twice(Space::spin)> g;
-  g << jet.a, jet.b;
-  return g;
-}
-template <class Space>
-Mat<twice(Space::spin)> hessian(const TurnJet<Space>& jet) {
-  Mat<twice(Space::spin)> H;
-  H << jet.aa, jet.ab, jet.ab.transpose(), jet.bb;
-  return H;
-}
 
 /// A full stiffness, a cubic part, and two tendons.
 template <class Space>

@@ -6,6 +6,7 @@
 #include "support/difference.hpp"
 #include "support/models.hpp"
 #include "support/near.hpp"
+#include "support/random_state.hpp"
 
 using namespace pyrod;
 using namespace pyrod::test;
@@ -14,21 +15,6 @@ namespace {
 
 static_assert(Problem<NetworkProblem<Planar>>);
 static_assert(Problem<NetworkProblem<Spatial>>);
-
-/// Any frames, forces and places, nothing in equilibrium.
-template <class Space>
-NetworkState<Space> random_state(Random& random, const Layout<Space>& layout) {
-  NetworkState<Space> x;
-  for (int j = 0; j < layout.edges(); ++j) x.frames.push_back(random.rotation<Space>(0.5));
-  for (std::size_t v = 0; v < layout.network().nodes.size(); ++v) {
-    x.node_frames.push_back(random.rotation<Space>(0.3));
-    x.positions.push_back(random.vector<Space::dim>());
-  }
-  for (const auto& span : layout.spans())
-    x.forces.push_back(span.open * random.vector(int(span.open.cols())));
-  for (int i = 0; i < layout.hinges(); ++i) x.hinge_angles.push_back(random.number());
-  return x;
-}
 
 /// Numbers of the first rows of all blocks that are a whole spatial rotation.
 template <class Space>

@@ -40,7 +40,7 @@ Network<Space> ring(Random& random) {
 }
 
 template <class Space>
-NetworkState<Space> random_state(Random& random, const Layout<Space>& layout) {
+NetworkState<Space> moved_start(Random& random, const Layout<Space>& layout) {
   auto x = Start<Space>(layout).state();
   for (auto& q : x.frames) q = moved(q, random.vector<Space::spin>());
   for (auto& r : x.positions) r += random.vector<Space::dim>();
@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE("gradient and tangent of spans of any length", Space, EACH_SP
       CAPTURE(free);
       const Layout<Space> layout(held<Space>(random, edges, free).net);
       const NetworkProblem<Space> statics(layout);
-      const auto x = random_state(random, layout);
+      const auto x = moved_start(random, layout);
       auto here = statics.linearisation();
       statics.linearise(x, Hessian::exact, here);
       const Vector δ = random.vector(int(here.gradient.size())) / std::sqrt(edges);
@@ -90,7 +90,7 @@ TEST_CASE_TEMPLATE("a span reaches as far as the forces in all of its edges make
     const auto net = held<Space>(random, edges, 0).net;
     const Layout<Space> layout(net);
     const NetworkProblem<Space> statics(layout);
-    const auto x = random_state(random, layout);
+    const auto x = moved_start(random, layout);
     auto here = statics.linearisation();
     statics.linearise(x, Hessian::exact, here);
     typename NetworkProblem<Space>::Acting changed;
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("nothing is left of what the storage held before", Space, EAC
   for (const auto& net : {random_network<Space>(random, {true, true, true}), ring<Space>(random)}) {
     const Layout<Space> layout(net);
     const NetworkProblem<Space> statics(layout);
-    const auto x = random_state(random, layout);
+    const auto x = moved_start(random, layout);
     for (const Hessian kind : {Hessian::exact, Hessian::convex}) {
       auto fresh = statics.linearisation(), used = statics.linearisation();
       std::fill(used.hessian.values.begin(), used.hessian.values.end(), std::nan(""));
@@ -132,7 +132,7 @@ TEST_CASE_TEMPLATE("once there is storage, networks allocate nothing", Space, EA
   Random random(3);
   const Layout<Space> layout(random_network<Space>(random, {true, false, true}));
   const NetworkProblem<Space> statics(layout);
-  const auto x = random_state(random, layout);
+  const auto x = moved_start(random, layout);
   auto here = statics.linearisation();
   auto y = x;
   const Vector δ = random.vector(int(here.gradient.size()));

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pyrod
-from pyrod import Clamp, Force, Hinge, Moment, Rod, Scene, Section
+from pyrod import Clamp, Force, Hinge, Joint, Moment, Rod, Scene, Section, Spring
 from pyrod.base.immutable import Array
 
 UNIT = Section(EI1=1.0, EI2=1.0, GJ=0.8, mass_per_length=1.0)
@@ -135,3 +135,17 @@ def test_a_moment_under_which_a_rod_rolls_up() -> None:
     assert change["K"] == pytest.approx(np.tile([0, 1.0, 0], (9, 1)), abs=1e-12)
     assert change["energy"] == pytest.approx(2.0, rel=1e-12)
     assert change["tip_frame"] == pytest.approx([0, 1, 0], abs=1e-12)
+
+
+@pytest.mark.parametrize("edges", [12, 48])
+def test_a_ring_goes_where_the_springs_at_all_its_vertices_go(edges: int) -> None:
+    """Spans of one edge that cannot stretch: the pivots of their forces are all shift."""
+    ring = Rod.precurved(2 * np.pi * 1.3, edges, UNIT, (0, 1 / 1.3, 0))
+    places = ring.at_rest()[0]
+    k = 0.3 * ring.edge_lengths[0]
+    springs = [Spring(k, position=places[j], at=float(ring.arc_lengths[j])) for j in range(edges)]
+    closed = Joint([(0, "start"), (0, "end")])
+    linear = pyrod.linearised(pyrod.solve(Scene(ring, springs, space="planar", joints=closed)))
+    change = linear.jvp({f"supports.{i}.position": (1.0, 0, 0) for i in range(edges)})
+    assert np.abs(change["positions"] - (1.0, 0, 0)).max() < 1e-12
+    assert np.abs(change["force"]).max() < 1e-12

@@ -30,6 +30,8 @@
 #include <pyrod/statics/solving/posed.hpp>
 #include <pyrod/statics/start/network_start.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -48,6 +50,10 @@ class BranchInSpace {
         first_(ready(settings.start)),
         at_(first_->network().plane),
         apart_(share_ * std::abs(settings.stop - settings.start)) {
+    require(std::ranges::none_of(first_->network().network.tendons,
+                                 [](const auto& tendon) { return tendon.length.has_value(); }),
+            "follow: a tendon of given length may become slack on the way, which a path does not "
+            "see; give it a tension");
     NetworkFamily<Space> networks(source(scenes_, settings.start, apart_));
     path_ = PathFollower<NetworkFamily<Space>>(networks, limits(settings)).follow(start(settings));
     require(!path_.points.empty(), "follow: the equilibrium at the start is singular");
