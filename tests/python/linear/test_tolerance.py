@@ -121,6 +121,21 @@ def test_gradients_backwards(elastica: Linearised) -> None:
     assert gradient["rods.0.K0"][:, 1].sum() == pytest.approx(forward, rel=1e-8)
 
 
+def test_longer_edges_are_a_larger_force(elastica: Linearised) -> None:
+    """A rod x times as long is as bent under a force x**-2 times as large: forward and backward."""
+    rod, force = elastica.result.scene.rods[0], elastica.result.scene.loads[0].force
+    path = "rods.0.edge_lengths"
+    change = elastica.jvp({path: rod.edge_lengths})["tip"]
+    by_force = elastica.jvp({"loads.0.force": 2 * force})["tip"]
+    assert change == pytest.approx(elastica.result.tip + by_force, abs=1e-8)
+    weights = np.array([0.3, 0, -1.0])
+    gradient = elastica.vjp({"tip": weights}, path)[path]
+    assert gradient.shape == rod.edge_lengths.shape
+    assert gradient @ rod.edge_lengths == pytest.approx(weights @ change, rel=1e-8)
+    v = np.random.default_rng(1).standard_normal(len(gradient)) * rod.edge_lengths
+    assert gradient @ v == pytest.approx(weights @ elastica.jvp({path: v})["tip"], rel=1e-6)
+
+
 def test_what_belongs_to_one_grid(elastica: Linearised) -> None:
     with pytest.raises(ValueError, match="with a tolerance"):
         elastica.vjp({"frames": np.ones((32, 3))})
