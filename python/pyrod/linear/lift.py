@@ -41,14 +41,13 @@ class Lift:
         return fine / self._parts if self._name == "edge_lengths" else fine
 
     def down(self, g: Array) -> Array:
-        """Of a gradient on the fine edges."""
+        """Of a gradient on the fine edges, in bending, K0 or stretching."""
         out = np.zeros(self.shape)
         if self._name in AT_VERTICES:
             for w, i in zip(self._weights, self._ends, strict=True):
                 np.add.at(out, i, w * g)
             return out
-        sums = g.reshape(-1, self._parts, *self.shape[1:]).sum(axis=1)
-        return sums / self._parts if self._name == "edge_lengths" else sums
+        return g.reshape(-1, self._parts, *self.shape[1:]).sum(axis=1)
 
 
 def _slope(rod: Rod, name: str, level: int, where: Array) -> Array:
