@@ -10,7 +10,6 @@ from pyrod.base.immutable import Array
 from pyrod.rod.rod import Rod
 
 AT_VERTICES = ("bending", "K0")
-ON_EDGES = ("stretching", "mass_per_length", "edge_lengths")
 
 
 class Lift:
