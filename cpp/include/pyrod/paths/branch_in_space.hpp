@@ -4,9 +4,9 @@
 
 #include <pyrod/core/require.hpp>
 #include <pyrod/core/types.hpp>
-#include <pyrod/paths/branch.hpp>
 #include <pyrod/paths/network_family.hpp>
 #include <pyrod/paths/network_source.hpp>
+#include <pyrod/paths/scene_family.hpp>
 #include <pyrod/rotation/embedding.hpp>
 #include <pyrod/rotation/space.hpp>
 #include <pyrod/rotation/spatial.hpp>
