@@ -38,6 +38,7 @@ bench: build/system-packages $(VENV)/package $(VENV)/test-tools ## run the bench
 	@cmake --preset release
 	@cmake --build --preset release --target bench
 	@$(PY) benchmarks/call_overhead.py build/release/benchmarks/call
+	@$(PY) benchmarks/tendon_robot.py build/release/benchmarks/tendon_shooting
 	@$(PY) benchmarks/curves.py
 	@$(PY) benchmarks/sweep.py
 	@$(PY) benchmarks/gradient.py
