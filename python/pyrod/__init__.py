@@ -5,11 +5,14 @@ quaternions ``(w, x, y, z)`` whose rotation matrix has the directors a1, a2, a3 
 the normal of the cross-section.
 """
 
+from importlib import import_module as _import_module
 from importlib.metadata import version as _version
+from typing import TYPE_CHECKING as _TYPE_CHECKING
 
 from pyrod import curve, jax, rotation, torch
 from pyrod._core import Options
 from pyrod.base.folders import get_cmake_dir, get_include
+from pyrod.base.words import meant as _meant
 from pyrod.curve._warning import CurveWarning
 from pyrod.document.errors import SceneFileError
 from pyrod.files import load, save
@@ -50,6 +53,18 @@ from pyrod.stability.critical import Critical, critical_load
 from pyrod.sweeps import Sweep, sweep
 
 __version__ = _version("pyrod")
+
+if not _TYPE_CHECKING:  # who would find every name
+
+    def __getattr__(name: str) -> object:
+        """Modules that are imported when they are first asked for."""
+        if name in ("plot", "reference"):
+            return _import_module(f"pyrod.{name}")
+        guess = "" if name[0] == "_" else _meant(name, __all__)
+        raise AttributeError(
+            f"module 'pyrod' has no attribute {name!r}{guess}", name=name, obj=None
+        )
+
 
 __all__ = [
     "Accuracy",

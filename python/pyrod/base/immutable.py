@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import fields
 from math import isfinite
-from typing import Any, Generic, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import Array as Array
 from pyrod.base.arrays import array
+from pyrod.base.calls import Answering, no_attribute
 
 Made = TypeVar("Made")
 LazyKind = TypeVar("LazyKind", bound="Lazy")
@@ -52,23 +53,28 @@ def sealed(values: Any) -> Any:
     return values
 
 
+def made_later(thing: Any, name: str) -> Any:
+    """What is compiled has it; else there is none."""
+    state = thing.__dict__
+    source = state.get("_compiled")
+    if source is not None and not name.startswith("_"):
+        try:
+            value = state[name] = getattr(source, name)
+        except AttributeError:
+            pass
+        else:
+            return value
+    raise no_attribute(thing, name)
+
+
 class Lazy:
     """Mixin of frozen dataclasses whose arrays are made when they are first asked for.
 
     ``_compiled`` is what has the attributes that are still missing, or None.
     """
 
-    def __getattr__(self, name: str) -> Any:
-        state = self.__dict__
-        source = state.get("_compiled")
-        if source is not None and not name.startswith("_"):
-            try:
-                value = state[name] = getattr(source, name)
-            except AttributeError:
-                pass
-            else:
-                return value
-        raise AttributeError(f"{type(self).__name__} has no {name!r}")
+    if not TYPE_CHECKING:  # who would find every name
+        __getattr__ = made_later
 
 
 def lazily(kind: type[LazyKind], compiled: Any, **known: Any) -> LazyKind:
@@ -112,7 +118,7 @@ def same(a: Any, b: Any) -> bool:
     return bool(a == b)
 
 
-class Immutable:
+class Immutable(Answering):
     """Base of the frozen dataclasses: equality of arrays, and pickles that stay read-only."""
 
     def __dir__(self) -> list[str]:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pyrod.base.arrays import Array, array, transposed
+from pyrod.base.calls import users_level
 from pyrod.base.immutable import vector
 from pyrod.curve._arc import Arc
 from pyrod.curve._warning import CurveWarning
@@ -85,7 +86,7 @@ def warn_of_near_repeats(arc: Arc) -> None:
                 f"those of rounding; if it is one point, take without_repeats(positions, closed, "
                 f"distance={_round_up(h[j]):g})",
                 CurveWarning,
-                stacklevel=3,
+                stacklevel=users_level(),
             )
             return
 

@@ -9,6 +9,7 @@ import numpy as np
 
 import pyrod._core as _core
 from pyrod.base.arrays import Array
+from pyrod.base.calls import users_level
 from pyrod.base.immutable import frozen
 from pyrod.curve._warning import CurveWarning
 from pyrod.rotation import (
@@ -97,7 +98,7 @@ def check_reading(frames: Any, q: Array, tangents: Array) -> None:
             f"{said}, and more than {FAR:g} rad from every other; quaternions are (w, x, y, z), "
             "matrices have the directors as columns, a3 is along the curve",
             CurveWarning,
-            stacklevel=3,
+            stacklevel=users_level(),
         )
 
 

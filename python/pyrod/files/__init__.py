@@ -7,6 +7,7 @@ from inspect import Parameter, signature
 from pathlib import Path
 from typing import Any
 
+from pyrod.base.calls import spelled
 from pyrod.document.files import content_of, load_file, parsed, scene_text, text_of
 from pyrod.files.archives import is_result, load_json, load_npz, save_json, save_npz
 from pyrod.files.atomic import check_place, replacing
@@ -36,6 +37,7 @@ _RESULTS: dict[str, Callable[..., None]] = {
 }
 
 
+@spelled
 def save(what: Scene | Equilibrium, path: str | Path, **options: Any) -> None:
     """Writes a scene or a result to a file, whose suffix tells the format; see docs/files.md.
 
@@ -104,6 +106,7 @@ def _check_options(writer: Callable[..., None], path: Path, options: dict[str, A
             raise TypeError(f"{name}: {path.suffix} files have the options: {there}")
 
 
+@spelled
 def load(path: str | Path) -> Scene | Equilibrium:
     """The scene (.toml, .json) or the result (.npz, .json) that a file holds.
 

@@ -21,7 +21,7 @@ FORMAT = "pyrod result 1"
 _ARRAYS = {"record", "mode", "rods", "reactions", "tendons"}
 _PARTS = {"scene", "accuracy"} | _ARRAYS
 _PLAIN = tuple(f.name for f in fields(Equilibrium) if f.name not in _PARTS)
-_ROD = tuple(f.name for f in fields(RodEquilibrium) if f.name != "rod")
+_ROD = tuple(f.name for f in fields(RodEquilibrium) if f.name not in ("rod", "accuracy"))
 _ENERGIES = ("bend_twist_energy", "stretch_shear_energy")
 _LARGEST = ("largest_K", "largest_force", "largest_moment")
 _ROD_ARRAYS = tuple(name for name in _ROD if name not in _ENERGIES + _LARGEST)
@@ -72,7 +72,7 @@ def put_together(parts: Parts) -> Equilibrium:
     state = {name: head[name] for name in _PLAIN}
     state["accuracy"] = None if known is None else Accuracy(**known)
     state["scene"] = scene
-    state["rods"] = _rods(scene, head, arrays)
+    state["rods"] = _rods(scene, head, arrays, state["accuracy"])
     state["reactions"] = tuple(_reaction(i, arrays) for i in range(len(scene.supports)))
     state["tendons"] = tuple(_tendon(i, arrays) for i in range(len(scene.actuators)))
     state["record"] = {
@@ -86,7 +86,7 @@ def put_together(parts: Parts) -> Equilibrium:
 
 
 def _rods(
-    scene: Scene, head: dict[str, Any], arrays: dict[str, np.ndarray]
+    scene: Scene, head: dict[str, Any], arrays: dict[str, np.ndarray], accuracy: Accuracy | None
 ) -> tuple[RodEquilibrium, ...]:
     out = []
     sums = zip(scene.rods, head["energies"], head["largest"], strict=True)
@@ -100,7 +100,7 @@ def _rods(
         }
         values |= zip(_ENERGIES, energy, strict=True)
         values |= zip(_LARGEST, largest, strict=True)
-        out.append(RodEquilibrium(rod, **sealed(values)))
+        out.append(RodEquilibrium(rod, **sealed(values), accuracy=accuracy))
     return tuple(out)
 
 

@@ -216,7 +216,7 @@ class Entry:
 
 def acting_name(load: Load) -> str:
     """Of what acts, the first thing that the load consists of."""
-    return next(iter(entries_of(type(load))))  # type: ignore[arg-type]
+    return next(iter(entries_of(type(load))))
 
 
 def leaves_plane(scene: Scene, refused: ValueError) -> bool:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.linear.grid import Grid
@@ -20,6 +21,7 @@ from pyrod.result.equilibrium import Equilibrium
 from pyrod.rod.place import Place
 
 
+@spelled
 def linearised(result: Equilibrium) -> Linearised:
     """How an equilibrium answers to small changes of its scene, exactly, at the price of a solve of
     one linear system each.

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pyrod.base.arrays import number
+from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array, Immutable
 from pyrod.models.effects import Of, Quantity, effect, out_of_plane_index
 from pyrod.result.equilibrium import Equilibrium
@@ -34,6 +35,7 @@ class Choice(Immutable):
     result: Equilibrium = field(repr=False)  #: its equilibrium on the edges that it has
 
 
+@spelled
 def smallest_model(scene: Scene, tol: float, quantity: Quantity | None = None) -> Choice:
     """The smallest model whose results differ by less than a tolerance from those of the richest.
 

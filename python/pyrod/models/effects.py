@@ -10,6 +10,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from pyrod._core import Options
+from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array, Immutable, frozen
 from pyrod.base.words import shortly
 from pyrod.result.equilibrium import Equilibrium
@@ -89,6 +90,7 @@ class Effect(Immutable):
         return f"Effect({what}{'' if self.first_order else '; solved, not small'})"
 
 
+@spelled
 def effect(result: Equilibrium, of: Of, quantity: Quantity | None = None) -> Effect:
     """What modelling more would change in an equilibrium, to first order.
 
@@ -122,6 +124,7 @@ def effect(result: Equilibrium, of: Of, quantity: Quantity | None = None) -> Eff
     return Effect(of, result, predicted, change, first_order, before)
 
 
+@spelled
 def out_of_plane_index(result: Equilibrium) -> int | None:
     """Directions out of its plane in which the energy of a planar equilibrium falls.
 

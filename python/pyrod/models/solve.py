@@ -9,6 +9,7 @@ from typing import Literal
 from numpy.typing import ArrayLike
 
 from pyrod._core import Options
+from pyrod.base.calls import spelled
 from pyrod.base.progress import iterations
 from pyrod.models.choice import in_model, smallest_model
 from pyrod.result.equilibrium import Equilibrium
@@ -18,6 +19,7 @@ from pyrod.solving.job import DEFAULTS, How
 from pyrod.solving.run import judge, print_iteration, unjudged
 
 
+@spelled
 def solve(
     scene: Scene,
     options: Options | None = None,

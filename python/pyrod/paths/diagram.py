@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from pyrod.base.arrays import whole
+from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array
 from pyrod.paths.branch import Branch, SpecialPoint
 from pyrod.paths.family import Family
@@ -42,6 +43,7 @@ class Diagram:
         return f"Diagram({len(self)} branches:{inside}\n)"
 
 
+@spelled
 def diagram(
     family: Family,
     start: float,

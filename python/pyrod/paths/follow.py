@@ -8,6 +8,7 @@ from typing import Any
 import pyrod._core as _core
 from pyrod._core import Options
 from pyrod.base.arrays import number, whole
+from pyrod.base.calls import spelled
 from pyrod.base.progress import Progress, progress_shown
 from pyrod.paths.branch import Branch
 from pyrod.paths.family import Family, Scenes
@@ -22,6 +23,7 @@ _LEAST = 1e-3
 """Of the range: what errors of values are relative to at the least."""
 
 
+@spelled
 def follow(
     family: Family,
     start: float,

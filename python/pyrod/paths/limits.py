@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 import pyrod._core as _core
+from pyrod.base.calls import users_level
 from pyrod.paths.branch import Branch
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import AccuracyWarning
@@ -80,4 +81,4 @@ def _warn(grids: list[Branch], best: list[tuple[float, float]], tol: float, leas
     else:
         most = max(_relative(*one, least) for one in best)
         words = f"the values of special points have errors of {most:.1e}, {tol:.1e} was wanted"
-    warnings.warn(words, AccuracyWarning, stacklevel=4)
+    warnings.warn(words, AccuracyWarning, stacklevel=users_level())

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.box import box
@@ -20,6 +21,7 @@ LEFT_OUT = ("vertex_frames", "frames", "positions", "a1", "a2", "a3")
 """Quantities that the picture shows as it is."""
 
 
+@spelled
 def write_html(
     result: Equilibrium, path: str | Path, colour_by: str | None = None, *, sides: int = 16
 ) -> None:

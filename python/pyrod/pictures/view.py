@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array
 from pyrod.base.optional import need
 from pyrod.pictures.measure import measure
@@ -33,6 +34,7 @@ SHARP = 30.0  # degrees between faces that are shaded as an edge
 MOST_FRAMES = 60  # on each rod: more would hide it
 
 
+@spelled
 def solid(result: Equilibrium, sides: int = 24) -> Any:
     """The rods as a solid with their true cross-sections, for pyvista.
 
@@ -70,6 +72,7 @@ def _poly(mesh: Swept) -> Any:
     return pyvista.PolyData(mesh.points, np.concatenate([f.ravel() for f in faces]))
 
 
+@spelled
 def show(
     result: Equilibrium,
     colour_by: str | None = None,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Literal
 
 from pyrod.base.optional import need
-from pyrod.base.words import shortly
+from pyrod.base.words import meant, shortly
 from pyrod.plot._along import PANELS, draw_along
 from pyrod.plot._mode import draw_mode
 from pyrod.plot._shape import draw_shape
@@ -66,9 +66,12 @@ def draw(
     need("matplotlib.pyplot", "plot")
     if "color_by" in style:
         raise TypeError("color_by: it is written colour_by")
+    if isinstance(ax, str):
+        raise TypeError(f"ax: expected axes of matplotlib, got {ax!r}; pictures go by what={ax!r}")
     if what not in ("shape", "stability", *PANELS):
         raise ValueError(
             f"what: expected one of shape, {', '.join(PANELS)}, stability, got {shortly(what)}"
+            f"{meant(str(what), ('shape', *PANELS, 'stability'))}"
         )
     if colour_by is not None and what != "shape":
         raise ValueError(f"colour_by: only the shape can be coloured, not what={shortly(what)}")

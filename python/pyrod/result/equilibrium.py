@@ -9,12 +9,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import number
 from pyrod.base.borrowed import borrowed
-from pyrod.base.immutable import Array, Immutable, Lazy, lazily
+from pyrod.base.immutable import Array, Immutable, Lazy, lazily, made_later
+from pyrod.base.words import meant
 from pyrod.result.accuracy import Accuracy
+from pyrod.result.between import RodAt
+from pyrod.result.peaks import Largest
 from pyrod.result.rods import OfTheOnlyRod, Reaction, RodEquilibrium, TendonEquilibrium, longest
+from pyrod.rod.place import Place
 from pyrod.rotation import exp, multiply, rotate
 from pyrod.scene.scene import Scene
 
@@ -63,34 +68,10 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
     choice: str | None = None
     """Which model was chosen and why, if that was left to the solver."""
 
-    def __getattr__(self, name: str) -> Any:
-        """What is made when it is asked for, and what is known of the only rod."""
-        if name in OfTheOnlyRod.__annotations__:
-            if len(self.rods) != 1:
-                raise AttributeError(
-                    f"{name}: the scene has {len(self.rods)} rods; see rods[i].{name}"
-                )
-            return getattr(self.rods[0], name)
-        made: Any
-        state = self.__dict__
-        if name == "rods" and "_made_of" in state:
-            found = state["_compiled"]
-            made = tuple(
-                [
-                    lazily(RodEquilibrium, found.rod(i), rod=rod)
-                    for i, rod in enumerate(state["_made_of"])
-                ]
-            )
-        elif name == "scene" and "_make_scene" in state:
-            made = state["_make_scene"]()
-        else:
-            made = Lazy.__getattr__(self, name)
-            kind = _TUPLES.get(name)
-            if kind is None:
-                return made
-            made = tuple([kind(*one) for one in made])
-        state[name] = made
-        return made
+    if not TYPE_CHECKING:  # who would find every name
+
+        def __getattr__(self, name: str) -> Any:
+            return _found_later(self, name)
 
     def __dir__(self) -> list[str]:
         """With what is known of the only rod."""
@@ -158,6 +139,23 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
                 f"reaction: the scene has {len(self.reactions)} supports, see reactions"
             )
         return self.reactions[0]
+
+    @property
+    def bending_radius(self) -> float:
+        """Smallest radius to which a rod is bent [m], between vertices too; straight: inf."""
+        return min(rod.bending_radius for rod in self.rods)
+
+    @borrowed("pyrod.result.places:at_place")
+    def at(self, place: Place | ArrayLike, before: bool = False) -> RodAt:  # type: ignore[empty-body]
+        """A rod at a place, or at several, between its vertices, too."""
+
+    @borrowed("pyrod.result.places:largest_of_all")
+    def largest(self, quantity: str, rod: int | None = None) -> Largest:  # type: ignore[empty-body]
+        """The largest value of a quantity along all rods, and where it is."""
+
+    @borrowed("pyrod.result.places:largest_sag")
+    def sag(self, direction: ArrayLike | None = None) -> Largest:  # type: ignore[empty-body]
+        """How far a rod hangs off the chord between its ends."""
 
     @borrowed("pyrod.models.effects:effect")
     def effect(
@@ -289,6 +287,45 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
             f"Equilibrium({what}, {self.iterations} iterations{how}, {stable}, "
             f"energy={self.energy:.6g}, {tip}{1e3 * self.time:.2g} ms)"
         )
+
+
+def _found_later(result: Equilibrium, name: str) -> Any:
+    """What is made when it is asked for, and what is known of the only rod."""
+    state = result.__dict__
+    if name in OfTheOnlyRod.__annotations__:
+        if len(result.rods) != 1:
+            raise AttributeError(
+                f"{name}: the scene has {len(result.rods)} rods; see rods[i].{name}"
+            )
+        return getattr(result.rods[0], name)
+    made: Any
+    if name == "rods" and "_made_of" in state:
+        found = state["_compiled"]
+        known = {"accuracy": result.accuracy}
+        made = tuple(
+            [
+                lazily(RodEquilibrium, found.rod(i), rod=rod, **known)
+                for i, rod in enumerate(state["_made_of"])
+            ]
+        )
+    elif name == "scene" and "_make_scene" in state:
+        made = state["_make_scene"]()
+    else:
+        try:
+            made = made_later(result, name)
+        except AttributeError:
+            several = name[0] != "_" and len(result.rods) > 1
+            guess = meant(name, OfTheOnlyRod.__annotations__) if several else ""
+            if not guess:
+                raise
+            guess = guess.replace("mean ", "mean rods[i].")
+            raise AttributeError(f"Equilibrium has no {name!r}{guess}", obj=None) from None
+        kind = _TUPLES.get(name)
+        if kind is None:
+            return made
+        made = tuple([kind(*one) for one in made])
+    state[name] = made
+    return made
 
 
 def _direction_in_words(vector: Array) -> str:

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pyrod.base.immutable import Array
-from pyrod.base.words import shortly
+from pyrod.base.words import meant, shortly
 from pyrod.result.rods import RodEquilibrium
 from pyrod.rotation import to_matrix
 
@@ -85,7 +85,10 @@ def field(rod: RodEquilibrium, name: str) -> Field:
         There is no quantity of that name; those that are, are told.
     """
     if name not in KINDS:
-        raise ValueError(f"quantity: expected one of {', '.join(KINDS)}, got {shortly(name)}")
+        raise ValueError(
+            f"quantity: expected one of {', '.join(KINDS)}, got {shortly(name)}"
+            f"{meant(str(name), KINDS)}"
+        )
     if name in ("a1", "a2", "a3"):
         values = to_matrix(rod.vertex_frames)[:, :, int(name[1]) - 1]
     else:

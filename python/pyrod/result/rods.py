@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy
+from pyrod.result.accuracy import Accuracy
+from pyrod.result.between import RodAt
+from pyrod.result.peaks import Largest
 from pyrod.rod.rod import Rod
-from pyrod.rotation import conjugate, multiply
+from pyrod.rotation import conjugate, log, multiply
 
 
 class Reaction(NamedTuple):
@@ -80,6 +86,8 @@ class RodEquilibrium(Lazy, Immutable):
     """
     largest_force: float  #: largest section force [N]
     largest_moment: float  #: largest section moment [N m]
+    accuracy: Accuracy | None = field(default=None, compare=False)
+    """What is known of the errors of the equilibrium, if a tolerance was given."""
 
     @property
     def s(self) -> Array:
@@ -100,6 +108,33 @@ class RodEquilibrium(Lazy, Immutable):
     def tip_frame(self) -> Array:
         """(4,) frame of the end."""
         return self.vertex_frames[-1]
+
+    @property
+    def rotation_vectors(self) -> Array:
+        """(n + 1, 3) frames of the vertices as rotation vectors [rad]."""
+        return log(self.vertex_frames)
+
+    @property
+    def bending_radius(self) -> float:
+        """Smallest radius to which the rod is bent [m], between vertices too; straight: inf."""
+        bent = self.largest("bending").value
+        return 1 / bent if bent > 0 else inf
+
+    @borrowed("pyrod.result.between:state_at")
+    def at(self, s: ArrayLike | str, before: bool = False) -> RodAt:  # type: ignore[empty-body]
+        """The rod at arc lengths, between its vertices, too."""
+
+    @borrowed("pyrod.result.peaks:largest_of_rod")
+    def largest(  # type: ignore[empty-body]
+        self, quantity: str, number: int = 0, scales: Mapping[str, float] | None = None
+    ) -> Largest:
+        """The largest value of a quantity along the rod, and where it is."""
+
+    @borrowed("pyrod.result.peaks:sag_of_rod")
+    def sag(  # type: ignore[empty-body]
+        self, direction: ArrayLike | None = None, number: int = 0
+    ) -> Largest:
+        """How far the rod hangs off the chord between its ends."""
 
     @borrowed("pyrod.notebook.views:rod_equilibrium_html")
     def _repr_html_(self) -> str:  # type: ignore[empty-body]
@@ -136,6 +171,7 @@ class OfTheOnlyRod:
     s: Array
     tip: Array
     tip_frame: Array
+    rotation_vectors: Array
 
 
 def longest(vectors: Array) -> float:

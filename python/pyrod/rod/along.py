@@ -26,7 +26,10 @@ def section_rows(section: Sections, edges: int) -> Any:
     if callable(section):
         return lambda s: _numbers_of(_checked_section(section(s)))
     if not isinstance(section, Iterable):
-        raise TypeError(f"section: expected a Section, got a {type(section).__name__}")
+        raise TypeError(
+            "section: expected a Section, as Section.circle(radius, material), got a "
+            f"{type(section).__name__}"
+        )
     rows = [_numbers_of(_checked_section(one)) for one in section]
     if len(rows) != edges:
         raise ValueError(f"section: expected {edges}, one per edge, got {len(rows)}")
@@ -64,5 +67,8 @@ def _numbers_of(of: Section) -> tuple[float, ...]:
 
 def _checked_section(section: Section) -> Section:
     if not isinstance(section, Section):
-        raise TypeError(f"section: expected a Section, got a {type(section).__name__}")
+        raise TypeError(
+            "section: expected a Section, as Section.circle(radius, material), got a "
+            f"{type(section).__name__}"
+        )
     return section

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, get_args
 
-from pyrod.base.words import shortly
+from pyrod.base.words import meant, shortly
 from pyrod.rod.section import Model
 
 STRAINS: dict[Model, tuple[bool, bool, bool]] = {
@@ -21,6 +21,7 @@ def check_model(model: Any) -> None:
     if not isinstance(model, str) or model not in get_args(Model):
         raise ValueError(
             f"model: expected one of {', '.join(get_args(Model))}, got {shortly(model)}"
+            f"{meant(str(model), get_args(Model))}"
         )
 
 

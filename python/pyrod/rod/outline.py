@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import Array, finite, number, whole
+from pyrod.base.calls import Answering, spelled
 from pyrod.rod.polygons import (
     Corners,
     corners,
@@ -21,7 +22,7 @@ from pyrod.rod.polygons import (
 
 
 @dataclass(frozen=True, repr=False)
-class Outline:
+class Outline(Answering):
     """The outline of a cross-section, with a hole or without; see the makers.
 
     Outlines are equal if they were made from the same numbers. They serve pictures, files of solids
@@ -29,11 +30,13 @@ class Outline:
     """
 
     @staticmethod
+    @spelled
     def circle(radius: float) -> Outline:
         """A disc of the given radius [m]."""
         return Circle(number(radius, "radius"))
 
     @staticmethod
+    @spelled
     def tube(outer_radius: float, inner_radius: float) -> Outline:
         """The ring between two radii [m]; with ``inner_radius=0`` it is the disc."""
         outer = number(outer_radius, "outer_radius")
@@ -41,11 +44,13 @@ class Outline:
         return Circle(outer) if inner == 0 else Tube(outer, inner)
 
     @staticmethod
+    @spelled
     def rectangle(width: float, height: float) -> Outline:
         """A rectangle, ``width`` along a1 and ``height`` along a2 [m]."""
         return Rectangle(number(width, "width"), number(height, "height"))
 
     @staticmethod
+    @spelled
     def polygon(points: ArrayLike, hole: ArrayLike | None = None) -> Outline:
         """A polygon.
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal, Union
+from typing import Literal, Union, get_args
 
 import numpy as np
 
 from pyrod.base.arrays import number_as
-from pyrod.base.words import shortly
+from pyrod.base.words import meant, shortly
 
 End = Literal["start", "end"]
-Place = Union[End, float, tuple[int, Union[End, float]]]
+Place = Union[End, str, float, tuple[int, Union[End, str, float]]]
 """An end, an arc length [m], or a tuple (number of a rod, one of these); else it is rod 0."""
 
 
@@ -25,10 +25,13 @@ def checked(at: Place) -> Place:
     return _on_one(at)
 
 
-def _on_one(at: End | float) -> End | float:
+def _on_one(at: str | float) -> str | float:
     if isinstance(at, str):
         if at not in ("start", "end"):
-            raise ValueError(f"at: expected 'start', 'end' or an arc length, got {shortly(at)}")
+            raise ValueError(
+                f"at: expected 'start', 'end' or an arc length, got {shortly(at)}"
+                f"{meant(at, get_args(End))}"
+            )
         return at
     wanted = "expected 'start', 'end' or an arc length"
     s = number_as(at, "at", wanted)

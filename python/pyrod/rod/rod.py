@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod.base.arrays import array, finite
 from pyrod.base.borrowed import borrowed
+from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array, Immutable, Lazy, frozen
 from pyrod.curve._sampling import edge_lengths, natural_edges
 from pyrod.rod.along import Curvature, Sections, masses
@@ -121,6 +122,7 @@ class Rod(Lazy, Immutable):
     # Makers --------------------------------------------------------------------------------------
 
     @classmethod
+    @spelled
     def straight(
         cls, length: float, edges: int | None, section: Sections, model: Model | None = None
     ) -> Rod:
@@ -140,6 +142,7 @@ class Rod(Lazy, Immutable):
         return cls.precurved(length, edges, section, _NO_CURVATURE, model)
 
     @classmethod
+    @spelled
     def precurved(
         cls,
         length: float | ArrayLike,
@@ -168,6 +171,7 @@ class Rod(Lazy, Immutable):
         return rod_of(law.compiled(checked_model(model), _ORIGIN, free), law, _ORIGIN)
 
     @classmethod
+    @spelled
     def from_curve(
         cls,
         positions: ArrayLike,

@@ -11,13 +11,14 @@ import numpy as np
 
 import pyrod._core as _core
 from pyrod.base.arrays import Array, not_negative, number
+from pyrod.base.calls import Answering, spelled
 from pyrod.rod.outline import Outline
 
 Model = Literal["cosserat", "extensible", "inextensible"]
 
 
 @dataclass(frozen=True)
-class Material:
+class Material(Answering):
     """Isotropic, linearly elastic material.
 
     Parameters
@@ -46,7 +47,7 @@ class Material:
 
 
 @dataclass(frozen=True)
-class Section:
+class Section(Answering):
     """Stiffnesses of a cross-section, from dimensions or given outright.
 
     Parameters
@@ -85,6 +86,7 @@ class Section:
             )
 
     @staticmethod
+    @spelled
     def circle(radius: float, material: Material) -> Section:
         """Solid circle of the given radius [m]. Shear after Cowper (1966)."""
         radius, material = number(radius, "radius"), _checked_material(material)
@@ -92,6 +94,7 @@ class Section:
         return _of(stiffnesses, material, Outline.circle(radius))
 
     @staticmethod
+    @spelled
     def tube(outer_radius: float, inner_radius: float, material: Material) -> Section:
         """Ring between two radii. Shear after Cowper (1966).
 
@@ -106,6 +109,7 @@ class Section:
         return _of(stiffnesses, material, Outline.tube(outer_radius, inner_radius))
 
     @staticmethod
+    @spelled
     def rectangle(width: float, height: float, material: Material) -> Section:
         """Solid rectangle. Torsion after Saint-Venant, shear after Cowper (1966).
 

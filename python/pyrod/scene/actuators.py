@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import isfinite
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -58,6 +58,19 @@ class Tendon(Actuator):
     end: float | None = None
     rod: int = 0
     _kind = _core.Tendon
+
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(
+            self,
+            offset: ArrayLike | Callable[[float], ArrayLike],
+            tension: float | None = None,
+            length: float | None = None,
+            EA: float | None = None,
+            start: float | None = None,
+            end: float | None = None,
+            rod: int = 0,
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         if (self.tension is None) == (self.length is None):

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+from numpy.typing import ArrayLike
 
 import pyrod._core as _core
 from pyrod.base.arrays import yes_or_no
@@ -43,7 +46,23 @@ class Joint(Part):
     axis: Array | None = None
     _kind = _core.Joint
 
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(
+            self,
+            points: Iterable[Place],
+            kind: Literal["rigid", "hinge", "ball"] = "rigid",
+            turns: int = 0,
+            aligned: bool | None = None,
+            axis: ArrayLike | None = None,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
+        if isinstance(self.points, (str, int, float)):
+            raise TypeError(
+                'points: expected places in one tuple, as ((0, "end"), (1, "start")), got '
+                f"{shortly(self.points)}"
+            )
         points = tuple(checked(p) for p in self.points)
         if len(points) < 2:
             raise ValueError(f"points: a joint needs two or more, got {len(points)}")

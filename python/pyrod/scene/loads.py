@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import inf
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +23,7 @@ from pyrod.rod.rod import Rod
 from pyrod.scene.part import Part
 
 Along = Union[Array, Callable[[float], ArrayLike]]
+GivenAlong = Union[ArrayLike, Callable[[float], ArrayLike]]
 
 
 class Load(Part):
@@ -105,6 +106,10 @@ class Force(PointLoad):
     follower: bool = False
     _kind = _core.Force
 
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(self, force: ArrayLike, at: Place = "end", follower: bool = False) -> None: ...
+
 
 @dataclass(frozen=True, eq=False)
 class Moment(PointLoad):
@@ -121,6 +126,12 @@ class Moment(PointLoad):
     at: Place = "end"
     follower: bool = False
     _kind = _core.Moment
+
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(
+            self, moment: ArrayLike, at: Place = "end", follower: bool = False
+        ) -> None: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,6 +154,12 @@ class DistributedForce(LoadAlong):
     follower: bool = False
     _kind = _core.DistributedForce
 
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(
+            self, force_per_length: GivenAlong, rod: int = 0, follower: bool = False
+        ) -> None: ...
+
 
 @dataclass(frozen=True, eq=False)
 class DistributedMoment(LoadAlong):
@@ -158,6 +175,12 @@ class DistributedMoment(LoadAlong):
     follower: bool = False
     _kind = _core.DistributedMoment
 
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(
+            self, moment_per_length: GivenAlong, rod: int = 0, follower: bool = False
+        ) -> None: ...
+
 
 @dataclass(frozen=True, eq=False)
 class Gravity(Load):
@@ -171,6 +194,10 @@ class Gravity(Load):
 
     acceleration: Array = (0.0, 0.0, -9.81)  # type: ignore[assignment]
     _kind = _core.Gravity
+
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(self, acceleration: ArrayLike = (0.0, 0.0, -9.81)) -> None: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,6 +221,12 @@ class PointMass(Load):
     inertia: Array | None = None
     grows = False
     _kind = _core.PointMass
+
+    if TYPE_CHECKING:  # what is taken is more than what is kept
+
+        def __init__(
+            self, mass: float, at: Place = "end", inertia: ArrayLike | None = None
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         mass = number(self.mass, "mass")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from pyrod.base.calls import spelled
 from pyrod.scene.scene import Scene, checked_scene
 
 
@@ -25,6 +26,7 @@ class Planarity:
         return self.plane is not None
 
 
+@spelled
 def is_planar(scene: Scene) -> Planarity:
     """Whether rods, supports, joints and loads lie in one plane and look the same in its mirror.
 

@@ -13,6 +13,7 @@ from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Once
 from pyrod.base.words import shortly
 from pyrod.rod.rod import Rod, rod_of
+from pyrod.rod.section import Section
 from pyrod.scene.actuators import Actuator, Tendon, sampled_tendon
 from pyrod.scene.joints import Joint
 from pyrod.scene.loads import Load, LoadAlong, on_cut_edges, sampled_load, stepwise_load
@@ -220,7 +221,7 @@ def compiled_of(scene: Scene) -> _core.Scene:
 
 def _belonging(item: Any) -> str:
     """Where a thing belongs that was given for another argument."""
-    kinds = {
+    kinds: dict[str, type] = {
         "rods": Rod,
         "supports": Support,
         "loads": Load,
@@ -233,6 +234,8 @@ def _belonging(item: Any) -> str:
                 f"; a {type(item).__name__} belongs to {name}: "
                 "Scene(rods, supports, loads, joints=...)"
             )
+    if isinstance(item, Section):
+        return "; make a rod of it: Rod.straight(length, edges, section)"
     return ""
 
 
@@ -245,7 +248,11 @@ def checked_scene(scene: Any) -> Scene:
         hint = "; hold it: Scene(rod, Clamp(), loads)"
     elif isinstance(scene, (list, tuple)):
         hint = "; for several there is solve_many"
-    raise TypeError(f"scene: expected a Scene, got a {type(scene).__name__}{hint}")
+    elif isinstance(getattr(scene, "scene", None), Scene):
+        hint = "; it has one, its scene"
+    kind = type(scene).__name__
+    a = "an" if kind[0] in "AEIOU" else "a"
+    raise TypeError(f"scene: expected a Scene, got {a} {kind}{hint}")
 
 
 def _on_grid(rods: tuple[Rod, ...], made: list[_core.Rod | None]) -> tuple[Rod, ...]:

@@ -56,6 +56,11 @@ def placed_frame(
         return frozen(frame_along(tangent, normal))
     if frame is None:
         return None
+    if np.shape(frame) == (3,):
+        raise ValueError(
+            "frame: expected a quaternion (w, x, y, z) or a rotation matrix (3, 3), got 3 numbers; "
+            "for directions of a3 and a1 there are tangent and normal"
+        )
     return frozen(unit_frame(frame, "frame"))
 
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 import pyrod._core as _core
 from pyrod._core import Options
 from pyrod.base.immutable import lazily
+from pyrod.base.words import shortly
 from pyrod.result.accuracy import accuracy_of, checked_tolerance
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.rod.rod import Rod
@@ -28,7 +29,12 @@ class How(NamedTuple):
     tol: float | None
 
     def checked(self) -> How:
-        """The same; refuses a tolerance that is none."""
+        """The same; refuses a tolerance that is none, and options that are none."""
+        if not isinstance(self.options, Options):
+            hint = ""
+            if isinstance(self.options, (int, float)):
+                hint = f"; a tolerance is given by name, tol={self.options}"
+            raise TypeError(f"options: expected Options(...), got {shortly(self.options)}{hint}")
         return self if self.tol is None else self._replace(tol=checked_tolerance(self.tol))
 
 

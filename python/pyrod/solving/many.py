@@ -9,6 +9,7 @@ from typing import Any
 import pyrod._core as _core
 from pyrod._core import Options
 from pyrod.base.arrays import whole
+from pyrod.base.calls import spelled
 from pyrod.base.progress import Progress, progress_shown
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import NotConverged
@@ -17,6 +18,7 @@ from pyrod.solving.job import DEFAULTS, How, equilibrium_of, start_of
 from pyrod.solving.run import judge
 
 
+@spelled
 def solve_many(
     scenes: Iterable[Scene],
     options: Options | None = None,

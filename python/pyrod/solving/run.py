@@ -9,6 +9,7 @@ from time import perf_counter
 from numpy.typing import ArrayLike
 
 from pyrod._core import Options
+from pyrod.base.calls import users_level
 from pyrod.result.equilibrium import Equilibrium
 from pyrod.result.errors import AccuracyWarning, NotConverged, StrainWarning, UnstableWarning
 from pyrod.scene.scene import Scene
@@ -60,13 +61,13 @@ def judge(result: Equilibrium, strict: bool, verbose: bool = False) -> None:
         )
     if strict and not result.converged:
         raise NotConverged(result)
-    warn_of(result, stacklevel=4)
+    warn_of(result)
 
 
-def warn_of(result: Equilibrium, stacklevel: int) -> None:
+def warn_of(result: Equilibrium) -> None:
     """Warns of what is doubtful in an equilibrium that was just found."""
     for category, words in doubts(result):
-        warnings.warn(words, category, stacklevel=stacklevel)
+        warnings.warn(words, category, stacklevel=users_level())
 
 
 def doubts(result: Equilibrium) -> Iterator[tuple[type[Warning], str]]:

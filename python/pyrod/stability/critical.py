@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from pyrod._core import Options
 from pyrod.base.arrays import number
+from pyrod.base.calls import spelled, users_level
 from pyrod.base.immutable import Array, Immutable
 from pyrod.base.words import shortly
 from pyrod.notebook.table import Row, page
@@ -91,6 +92,7 @@ class Critical(Immutable):
         return f"Critical({self.kind}, factor {self.factor:.9g} ± {self.error:.1g}, then {after})"
 
 
+@spelled
 def critical_load(
     scene: Scene,
     upper: float | None = None,
@@ -170,8 +172,8 @@ def _critical(path: Path, losses: list[Loss]) -> Critical:
                 "of 2, so that of the finest is told: a load, a section or the curvature is not "
                 "smooth inside an edge; give that place a vertex (Rod.with_vertices)"
             )
-            warnings.warn(message, AccuracyWarning, stacklevel=3)
-    warn_of(first.at.result, stacklevel=4)
+            warnings.warn(message, AccuracyWarning, stacklevel=users_level())
+    warn_of(first.at.result)
     after = first.index_after
     return Critical(first.kind, factor, error, first.at.result, first.at.factor, after, path)
 

@@ -9,6 +9,7 @@ from time import perf_counter
 from typing import Any, Literal, get_args
 
 from pyrod._core import Options
+from pyrod.base.calls import spelled
 from pyrod.base.progress import Progress, progress_shown
 from pyrod.base.words import shortly
 from pyrod.result.accuracy import checked_tolerance
@@ -23,6 +24,7 @@ from pyrod.sweeps.table import Sweep, sweep_of
 from pyrod.sweeps.work import Numbered, Record, Work
 
 
+@spelled
 def sweep(
     scene: Source,
     parameters: Parameters,

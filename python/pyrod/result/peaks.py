@@ -1,0 +1,237 @@
+"""The largest values along rods, between their vertices too, and where they are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyrod.base.immutable import Array, Immutable, vector
+from pyrod.base.words import meant
+from pyrod.result.between import Between, State
+from pyrod.result.stresses import equivalent_stress, normal_stress, torsional_stress
+
+if TYPE_CHECKING:
+    from pyrod.result.rods import RodEquilibrium
+
+SAMPLES = 6
+"""Of each edge, among which peaks are looked for."""
+CANDIDATES = 6
+ROUNDS = 12
+ROUNDING = 1e-12
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Largest(Immutable):
+    """The largest value of a quantity along a rod."""
+
+    quantity: str
+    value: float
+    unit: str
+    s: float  #: arc length at rest where it is [m]
+    rod: int  #: number of the rod in its scene
+    error: float | None
+    """Estimate of the error of the value; None without a tolerance, whose grid is as it is."""
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __repr__(self) -> str:
+        told = "" if self.error is None else f" ± {self.error:.1e}"
+        unit = f" {self.unit}" if self.unit else ""
+        where = f"s={self.s:.6g} m, rod {self.rod}"
+        return f"Largest({self.quantity}, {self.value:.8g}{told}{unit} at {where})"
+
+
+class Quantity(NamedTuple):
+    """What can be largest: never negative."""
+
+    unit: str
+    of: Callable[[RodEquilibrium, State], Array]
+    judged_by: str
+    """What its error is told by in ``Accuracy.errors``."""
+
+
+def _length(rows: Array) -> Array:
+    return np.linalg.norm(rows, axis=1)
+
+
+def _bent(state: State) -> Array:
+    return _length(state.material_moment[:, :2])
+
+
+def _axial(state: State) -> Array:
+    return state.material_force[:, 2]
+
+
+QUANTITIES = {
+    "curvature": Quantity("1/m", lambda rod, at: _length(at.K), "curvatures"),
+    "bending": Quantity("1/m", lambda rod, at: _length(at.K[:, :2]), "curvatures"),
+    "twist": Quantity("1/m", lambda rod, at: np.abs(at.K[:, 2]), "curvatures"),
+    "force": Quantity("N", lambda rod, at: _length(at.force), "forces"),
+    "tension": Quantity("N", lambda rod, at: np.maximum(_axial(at), 0), "forces"),
+    "compression": Quantity("N", lambda rod, at: np.maximum(-_axial(at), 0), "forces"),
+    "shear force": Quantity("N", lambda rod, at: _length(at.material_force[:, :2]), "forces"),
+    "moment": Quantity("N m", lambda rod, at: _length(at.moment), "moments"),
+    "bending moment": Quantity("N m", lambda rod, at: _bent(at), "moments"),
+    "torque": Quantity("N m", lambda rod, at: np.abs(at.material_moment[:, 2]), "moments"),
+    "strain": Quantity("", lambda rod, at: _length(at.Gamma - [0, 0, 1]), "strains"),
+    "stress": Quantity("Pa", normal_stress, "stress"),
+    "torsional stress": Quantity("Pa", torsional_stress, "stress"),
+    "equivalent stress": Quantity("Pa", equivalent_stress, "stress"),
+}
+_KNOWN = {"curvature": "largest_K", "force": "largest_force", "moment": "largest_moment"}
+"""What a solve tells of the continuous rod."""
+
+
+def largest_of_rod(
+    rod: RodEquilibrium, quantity: str, number: int = 0, scales: Mapping[str, float] | None = None
+) -> Largest:
+    """The largest value of a quantity along a rod, between vertices too, and where it is.
+
+    Parameters
+    ----------
+    quantity : str
+        "curvature" (with twist), "bending", "twist"; "force", "tension", "compression", "shear
+        force"; "moment", "bending moment", "torque"; "strain" (the length of Gamma - e3); of
+        sections with an outline "stress" (normal to the section, of either sign), of circles, tubes
+        and rectangles "torsional stress", of circles and tubes "equivalent stress" (of normal and
+        torsional stress, after von Mises).
+    number : int
+        Of the rod, for what is told.
+    scales : mapping
+        To what errors are relative; ``Equilibrium.largest`` knows it, and tells an error.
+
+    Returns
+    -------
+    Largest
+
+    Raises
+    ------
+    ValueError
+        There is no such quantity, or the section has no outline, or one that does not tell it.
+    """
+    if quantity not in QUANTITIES:
+        guess = meant(str(quantity), QUANTITIES) or f"; there are {', '.join(QUANTITIES)}"
+        raise ValueError(f"quantity: there is no {quantity!r}{guess}")
+    unit, of, judged_by = QUANTITIES[quantity]
+    value, s, off = _peak(rod, lambda state: of(rod, state))
+    known = _KNOWN.get(quantity)
+    value = value if known is None else float(getattr(rod, known))
+    error = None
+    if rod.accuracy is not None and scales is not None:
+        told = rod.accuracy.errors
+        if known is not None:
+            error = told["extremes"] * scales[judged_by]
+        elif judged_by == "stress":
+            error = off + _stress_of_errors(rod, of, s, told, scales)
+        else:
+            error = off + told[judged_by] * scales[judged_by]
+    return Largest(quantity, value, unit, s, number, error)
+
+
+def _stress_of_errors(
+    rod: RodEquilibrium,
+    of: Callable[[RodEquilibrium, State], Array],
+    s: float,
+    told: Mapping[str, float],
+    scales: Mapping[str, float],
+) -> float:
+    """Stresses are homogeneous and convex: no error makes more than those of its parts."""
+    state = Between(rod).at(np.array([s]))
+    force = told["forces"] * scales["forces"]
+    state.__dict__["material_backbone_force"] = np.full((1, 3), force)
+    state.__dict__["material_moment"] = np.full((1, 3), told["moments"] * scales["moments"])
+    return float(of(rod, state)[0])
+
+
+def sag_of_rod(rod: RodEquilibrium, direction: ArrayLike | None = None, number: int = 0) -> Largest:
+    """How far a rod hangs off the chord between its ends, and where.
+
+    Parameters
+    ----------
+    direction : (3,) array
+        Along which it is measured; default: across the chord, whichever way the rod goes.
+    number : int
+        Of the rod, for what is told.
+
+    Returns
+    -------
+    Largest
+
+    Raises
+    ------
+    ValueError
+        The ends of the rod are in one place, or the direction is along the chord.
+    """
+    start, end = rod.positions[[0, -1]]
+    chord = end - start
+    length = float(np.linalg.norm(chord))
+    if not length > 1e-9 * rod.rod.length:
+        raise ValueError("sag: the ends of the rod are in one place, so that there is no chord")
+    if direction is None:
+        along = chord / length
+        off = lambda r: r - np.outer(r @ along, along)  # noqa: E731
+        heights: Callable[[Array], Array] = lambda r: _length(off(r))  # noqa: E731
+    else:
+        down = vector(direction, "direction")
+        down = down / (np.linalg.norm(down) or 1.0)
+        across = chord - (chord @ down) * down
+        if not np.linalg.norm(across) > 1e-9 * length:
+            raise ValueError("direction: must not be zero, or along the chord between the ends")
+        fall = float(chord @ down)
+        heights = lambda r: r @ down - fall * (r @ across) / (across @ across)  # noqa: E731
+    value, s, missed = _peak(rod, lambda state: heights(state.positions - start))
+    error = None
+    if rod.accuracy is not None:
+        error = missed + rod.rod.length * rod.accuracy.errors["positions"]
+    return Largest("sag", value, "m", s, number, error)
+
+
+def _peak(rod: RodEquilibrium, of: Callable[[State], Array]) -> tuple[float, float, float]:
+    """The largest value, where it is, and what it differs by if taken from fewer vertices."""
+    fine = Between(rod)
+    parts = np.linspace(0, 1, SAMPLES + 1)
+    s = np.unique(rod.s[:-1, None] + np.diff(rod.s)[:, None] * parts)
+    found: list[tuple[float, float, bool]] = []
+    for before in (False, True):
+        places = rod.s[fine.breaks] if before else s
+        values = of(fine.at(places, before))
+        for i in _peaks_of(values)[:CANDIDATES]:
+            value, at = float(values[i]), float(places[i])
+            if not before:
+                value, at = _climbed(fine, of, places, int(i), value)
+            found.append((value, at, before))
+    most = max(value for value, _, _ in found)
+    value, at, before = min(
+        (one for one in found if one[0] >= most - ROUNDING * abs(most)), key=lambda one: one[1]
+    )
+    coarse = Between(rod, max(2, fine.points - 2))
+    other = float(of(coarse.at(np.array([at]), before))[0])
+    return value, at, abs(value - other)
+
+
+def _peaks_of(values: Array) -> Any:
+    """Numbers of the local maxima, the highest first."""
+    padded = np.concatenate([[-np.inf], values, [-np.inf]])
+    tops = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]))
+    return tops[np.argsort(-values[tops], kind="stable")]
+
+
+def _climbed(
+    fine: Between, of: Callable[[State], Array], places: Array, i: int, value: float
+) -> tuple[float, float]:
+    """Up from a sample to the peak between its neighbours, on edges on which nothing jumps."""
+    at = float(places[i])
+    low, high = places[max(i - 1, 0)], places[min(i + 1, len(places) - 1)]
+    for _ in range(ROUNDS):
+        tried = np.linspace(low, high, 9)
+        found = of(fine.at(tried))
+        k = int(np.argmax(found))
+        if found[k] > value + ROUNDING * abs(value):
+            value, at = float(found[k]), float(tried[k])
+        low, high = tried[max(k - 1, 0)], tried[min(k + 1, 8)]
+    return value, at
