@@ -77,7 +77,8 @@ def call_in_words(error: TypeError, called: Callable[..., Any], name: str) -> Ty
     names = list(takes.parameters)
     if match := re.search(r"unexpected keyword argument '(\w+)'", text):
         wrong = match[1]
-        if "options" in names and hasattr(_core.Options, wrong):
+        tuned = "options" in names and hasattr(_core.Options, wrong)
+        if tuned and not meant(wrong, names):
             return TypeError(f"{name}: {wrong} is one of options=Options({wrong}=...)")
         told = f"{name}: there is no {wrong}{meant(wrong, names) or f'; it takes {listed(names)}'}"
     elif match := re.search(r"missing \d+ required .*?arguments?: (.*)", text):

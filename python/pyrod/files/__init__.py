@@ -107,7 +107,7 @@ def _check_options(writer: Callable[..., None], path: Path, options: dict[str, A
 
 
 @spelled
-def load(path: str | Path) -> Scene | Equilibrium:
+def load(path: str | Path) -> Any:
     """The scene (.toml, .json) or the result (.npz, .json) that a file holds.
 
     No file makes code run or opens another one.

@@ -72,6 +72,16 @@ class Accuracy(Immutable):
         return f"error {reached} on {self.grids} grids{but}"
 
 
+class Untold(dict[str, float]):
+    """Errors of a solve without a tolerance: there are none."""
+
+    def __missing__(self, name: str) -> float:
+        raise KeyError(f"{name}: errors are told where one is asked for, solve(scene, tol=...)")
+
+    def __repr__(self) -> str:
+        return "{}: no tolerance was given, solve(scene, tol=...)"
+
+
 def accuracy_of(told: tuple[Any, ...], neutral: bool) -> Accuracy:
     """What the compiled ladder says of errors."""
     tol, errors, order, regular, grids, finest, ended, reason = told

@@ -15,7 +15,7 @@ from pyrod.base.arrays import number
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy, lazily, made_later
 from pyrod.base.words import meant
-from pyrod.result.accuracy import Accuracy
+from pyrod.result.accuracy import Accuracy, Untold
 from pyrod.result.between import RodAt
 from pyrod.result.peaks import Largest
 from pyrod.result.rods import OfTheOnlyRod, Reaction, RodEquilibrium, TendonEquilibrium, longest
@@ -79,9 +79,9 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
         return sorted({*super().__dir__(), *of_rod})
 
     @property
-    def errors(self) -> dict[str, float] | None:
-        """Estimates of the errors, if a tolerance was given; see `Accuracy`."""
-        return None if self.accuracy is None else self.accuracy.errors
+    def errors(self) -> dict[str, float]:
+        """Estimates of the errors, if a tolerance was given, else none; see `Accuracy`."""
+        return Untold() if self.accuracy is None else self.accuracy.errors
 
     @property
     def converged(self) -> bool:
