@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import finite
-from pyrod.base.immutable import Array, Immutable, sealed
+from pyrod.base.calls import spelled
+from pyrod.base.immutable import Array, sealed
 from pyrod.result.nearest import Near, Numbers, nearest, screwed, taken
+from pyrod.result.rods import RodEquilibrium
+from pyrod.result.told import RodAt
 from pyrod.rod.place import checked, on_rod
 from pyrod.rotation import conjugate, exp, log, multiply, rotate
-
-if TYPE_CHECKING:
-    from pyrod.result.rods import RodEquilibrium
 
 PLAIN, EXACT = 4, 8
 """Vertices that a value between two is taken from: on a grid as it is, and of a tolerance."""
@@ -25,35 +24,7 @@ PARTS = 4
 _GAUSS = (0.5 - np.sqrt(3) / 6, 0.5 + np.sqrt(3) / 6)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class RodAt(Immutable):
-    """A rod in equilibrium at one arc length or at several, between its vertices, too.
-
-    Arrays have a row for each arc length that was asked for; of one number, they are that row. What
-    they mean is told by `RodEquilibrium`.
-    """
-
-    s: Array  #: () or (k,) arc length at rest [m]
-    positions: Array  #: (k, 3) [m]
-    frames: Array  #: (k, 4)
-    K: Array  #: (k, 3) material curvature [1/m]
-    Gamma: Array  #: (k, 3) shear and stretch
-    force: Array  #: (k, 3) section force, in space [N]
-    material_force: Array  #: (k, 3) the same in the components of the frames [N]
-    moment: Array  #: (k, 3) section moment, in space [N m]
-    material_moment: Array  #: (k, 3) C_bt (K - K0) [N m]
-    backbone_force: Array  #: (k, 3) section force without the tensions of tendons, in space [N]
-
-    @property
-    def rotation_vectors(self) -> Array:
-        """(k, 3) frames as rotation vectors [rad]."""
-        return log(self.frames)
-
-    def __repr__(self) -> str:
-        where = f"s={self.s:.6g}" if self.s.ndim == 0 else f"{len(self.s)} places"
-        return f"RodAt({where})"
-
-
+@spelled
 def state_at(rod: RodEquilibrium, s: ArrayLike | str, before: bool = False) -> RodAt:
     """The rod between its vertices.
 
@@ -65,6 +36,8 @@ def state_at(rod: RodEquilibrium, s: ArrayLike | str, before: bool = False) -> R
 
     Parameters
     ----------
+    rod : `RodEquilibrium`
+        The rod.
     s : "start", "end", float or (k,) array [m]
         Arc lengths at rest.
     before : bool
@@ -103,10 +76,10 @@ class Between:
         self.points = points or (PLAIN if rod.accuracy is None else EXACT)
         self.breaks = breaks(rod)
 
-    def at(self, s: Array, before: bool = False) -> State:
+    def at(self, s: Array, before: bool = False) -> Station:
         """The rod at (k,) arc lengths on it; of a vertex behind it, or before."""
         edge = np.searchsorted(self.rod.s, s, "left" if before else "right") - 1
-        return State(self, s, np.clip(edge, 0, len(self.rod.s) - 2))
+        return Station(self, s, np.clip(edge, 0, len(self.rod.s) - 2))
 
     def piece(self, edge: Numbers) -> tuple[Numbers, Numbers]:
         """The vertices at which what is smooth on these edges begins and ends."""
@@ -114,7 +87,7 @@ class Between:
         return self.breaks[behind - 1], self.breaks[behind]
 
 
-class State:
+class Station:
     """Of a rod at (k,) arc lengths, each on an edge; what is not asked for is not computed."""
 
     def __init__(self, of: Between, s: Array, edge: Numbers) -> None:
@@ -220,7 +193,7 @@ class State:
         r, q = rod.positions[edge], rod.vertex_frames[edge]
         step = ((s - start) / PARTS)[:, None]
         for part in range(PARTS):
-            one, two = (State(self.of, start + (part + x) * step[:, 0], edge) for x in _GAUSS)
+            one, two = (Station(self.of, start + (part + x) * step[:, 0], edge) for x in _GAUSS)
             (K1, G1), (K2, G2) = (one.K, one.Gamma), (two.K, two.Gamma)
             turn = step / 2 * (K1 + K2) + np.sqrt(3) / 12 * step**2 * np.cross(K1, K2)
             along = step / 2 * (G1 + G2)

@@ -16,9 +16,8 @@ from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy, lazily, made_later
 from pyrod.base.words import meant
 from pyrod.result.accuracy import Accuracy, Untold
-from pyrod.result.between import RodAt
-from pyrod.result.peaks import Largest
 from pyrod.result.rods import OfTheOnlyRod, Reaction, RodEquilibrium, TendonEquilibrium, longest
+from pyrod.result.told import Largest, RodAt
 from pyrod.rod.place import Place
 from pyrod.rotation import exp, multiply, rotate
 from pyrod.scene.scene import Scene
@@ -142,7 +141,7 @@ class Equilibrium(Lazy, Immutable, OfTheOnlyRod):
 
     @property
     def bending_radius(self) -> float:
-        """Smallest radius to which a rod is bent [m], between vertices too; straight: inf."""
+        """Smallest radius to which a rod is bent [m], between vertices, too; inf if straight."""
         return min(rod.bending_radius for rod in self.rods)
 
     @borrowed("pyrod.result.places:at_place")

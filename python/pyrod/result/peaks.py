@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyrod.base.immutable import Array, Immutable, vector
+from pyrod.base.calls import spelled
+from pyrod.base.immutable import Array, vector
 from pyrod.base.words import meant
-from pyrod.result.between import Between, State
+from pyrod.result.between import Between, Station
+from pyrod.result.rods import RodEquilibrium
 from pyrod.result.stresses import equivalent_stress, normal_stress, torsional_stress
-
-if TYPE_CHECKING:
-    from pyrod.result.rods import RodEquilibrium
+from pyrod.result.told import Largest
 
 SAMPLES = 6
 """Of each edge, among which peaks are looked for."""
@@ -24,61 +23,39 @@ ROUNDS = 12
 ROUNDING = 1e-12
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Largest(Immutable):
-    """The largest value of a quantity along a rod."""
-
-    quantity: str
-    value: float
-    unit: str
-    s: float  #: arc length at rest where it is [m]
-    rod: int  #: number of the rod in its scene
-    error: float | None
-    """Estimate of the error of the value; None without a tolerance, whose grid is as it is."""
-
-    def __float__(self) -> float:
-        return self.value
-
-    def __repr__(self) -> str:
-        told = "" if self.error is None else f" ± {self.error:.1e}"
-        unit = f" {self.unit}" if self.unit else ""
-        where = f"s={self.s:.6g} m, rod {self.rod}"
-        return f"Largest({self.quantity}, {self.value:.8g}{told}{unit} at {where})"
-
-
 class Quantity(NamedTuple):
     """What can be largest: never negative."""
 
     unit: str
-    of: Callable[[RodEquilibrium, State], Array]
+    of: Callable[[RodEquilibrium, Station], Array]
     judged_by: str
     """What its error is told by in ``Accuracy.errors``."""
 
 
-def _length(rows: Array) -> Array:
+def _norms(rows: Array) -> Array:
     return np.linalg.norm(rows, axis=1)
 
 
-def _bent(state: State) -> Array:
-    return _length(state.material_moment[:, :2])
+def _bent(state: Station) -> Array:
+    return _norms(state.material_moment[:, :2])
 
 
-def _axial(state: State) -> Array:
+def _axial(state: Station) -> Array:
     return state.material_force[:, 2]
 
 
 QUANTITIES = {
-    "curvature": Quantity("1/m", lambda rod, at: _length(at.K), "curvatures"),
-    "bending": Quantity("1/m", lambda rod, at: _length(at.K[:, :2]), "curvatures"),
+    "curvature": Quantity("1/m", lambda rod, at: _norms(at.K), "curvatures"),
+    "bending": Quantity("1/m", lambda rod, at: _norms(at.K[:, :2]), "curvatures"),
     "twist": Quantity("1/m", lambda rod, at: np.abs(at.K[:, 2]), "curvatures"),
-    "force": Quantity("N", lambda rod, at: _length(at.force), "forces"),
+    "force": Quantity("N", lambda rod, at: _norms(at.force), "forces"),
     "tension": Quantity("N", lambda rod, at: np.maximum(_axial(at), 0), "forces"),
     "compression": Quantity("N", lambda rod, at: np.maximum(-_axial(at), 0), "forces"),
-    "shear force": Quantity("N", lambda rod, at: _length(at.material_force[:, :2]), "forces"),
-    "moment": Quantity("N m", lambda rod, at: _length(at.moment), "moments"),
+    "shear force": Quantity("N", lambda rod, at: _norms(at.material_force[:, :2]), "forces"),
+    "moment": Quantity("N m", lambda rod, at: _norms(at.moment), "moments"),
     "bending moment": Quantity("N m", lambda rod, at: _bent(at), "moments"),
     "torque": Quantity("N m", lambda rod, at: np.abs(at.material_moment[:, 2]), "moments"),
-    "strain": Quantity("", lambda rod, at: _length(at.Gamma - [0, 0, 1]), "strains"),
+    "strain": Quantity("", lambda rod, at: _norms(at.Gamma - [0, 0, 1]), "strains"),
     "stress": Quantity("Pa", normal_stress, "stress"),
     "torsional stress": Quantity("Pa", torsional_stress, "stress"),
     "equivalent stress": Quantity("Pa", equivalent_stress, "stress"),
@@ -87,33 +64,38 @@ _KNOWN = {"curvature": "largest_K", "force": "largest_force", "moment": "largest
 """What a solve tells of the continuous rod."""
 
 
-def largest_of_rod(
-    rod: RodEquilibrium, quantity: str, number: int = 0, scales: Mapping[str, float] | None = None
-) -> Largest:
+@spelled
+def largest_of_rod(rod: RodEquilibrium, quantity: str) -> Largest:
     """The largest value of a quantity along a rod, between vertices too, and where it is.
 
     Parameters
     ----------
+    rod : `RodEquilibrium`
+        The rod.
     quantity : str
         "curvature" (with twist), "bending", "twist"; "force", "tension", "compression", "shear
         force"; "moment", "bending moment", "torque"; "strain" (the length of Gamma - e3); of
         sections with an outline "stress" (normal to the section, of either sign), of circles, tubes
         and rectangles "torsional stress", of circles and tubes "equivalent stress" (of normal and
         torsional stress, after von Mises).
-    number : int
-        Of the rod, for what is told.
-    scales : mapping
-        To what errors are relative; ``Equilibrium.largest`` knows it, and tells an error.
 
     Returns
     -------
     Largest
+        Without an error, which ``Equilibrium.largest`` tells, with ``rod=`` of one rod.
 
     Raises
     ------
     ValueError
         There is no such quantity, or the section has no outline, or one that does not tell it.
     """
+    return largest_along(rod, quantity)
+
+
+def largest_along(
+    rod: RodEquilibrium, quantity: str, number: int = 0, scales: Mapping[str, float] | None = None
+) -> Largest:
+    """The same of a rod of this number; ``scales``: to what errors are relative, if it is known."""
     if quantity not in QUANTITIES:
         guess = meant(str(quantity), QUANTITIES) or f"; there are {', '.join(QUANTITIES)}"
         raise ValueError(f"quantity: there is no {quantity!r}{guess}")
@@ -135,7 +117,7 @@ def largest_of_rod(
 
 def _stress_of_errors(
     rod: RodEquilibrium,
-    of: Callable[[RodEquilibrium, State], Array],
+    of: Callable[[RodEquilibrium, Station], Array],
     s: float,
     told: Mapping[str, float],
     scales: Mapping[str, float],
@@ -148,15 +130,16 @@ def _stress_of_errors(
     return float(of(rod, state)[0])
 
 
-def sag_of_rod(rod: RodEquilibrium, direction: ArrayLike | None = None, number: int = 0) -> Largest:
+@spelled
+def sag_of_rod(rod: RodEquilibrium, direction: ArrayLike | None = None) -> Largest:
     """How far a rod hangs off the chord between its ends, and where.
 
     Parameters
     ----------
+    rod : `RodEquilibrium`
+        The rod.
     direction : (3,) array
         Along which it is measured; default: across the chord, whichever way the rod goes.
-    number : int
-        Of the rod, for what is told.
 
     Returns
     -------
@@ -167,6 +150,16 @@ def sag_of_rod(rod: RodEquilibrium, direction: ArrayLike | None = None, number: 
     ValueError
         The ends of the rod are in one place, or the direction is along the chord.
     """
+    return sag_along(rod, direction)
+
+
+def sag_along(
+    rod: RodEquilibrium,
+    direction: ArrayLike | None,
+    number: int = 0,
+    longest: float | None = None,
+) -> Largest:
+    """The same of a rod of this number; ``longest``: to what errors are relative, if it is known."""
     start, end = rod.positions[[0, -1]]
     chord = end - start
     length = float(np.linalg.norm(chord))
@@ -175,23 +168,23 @@ def sag_of_rod(rod: RodEquilibrium, direction: ArrayLike | None = None, number: 
     if direction is None:
         along = chord / length
         off = lambda r: r - np.outer(r @ along, along)  # noqa: E731
-        heights: Callable[[Array], Array] = lambda r: _length(off(r))  # noqa: E731
+        heights: Callable[[Array], Array] = lambda r: _norms(off(r))  # noqa: E731
     else:
         down = vector(direction, "direction")
         down = down / (np.linalg.norm(down) or 1.0)
         across = chord - (chord @ down) * down
-        if not np.linalg.norm(across) > 1e-9 * length:
+        if not (down.any() and np.linalg.norm(across) > 1e-9 * length):
             raise ValueError("direction: must not be zero, or along the chord between the ends")
         fall = float(chord @ down)
         heights = lambda r: r @ down - fall * (r @ across) / (across @ across)  # noqa: E731
     value, s, missed = _peak(rod, lambda state: heights(state.positions - start))
     error = None
-    if rod.accuracy is not None:
-        error = missed + rod.rod.length * rod.accuracy.errors["positions"]
+    if rod.accuracy is not None and longest is not None:
+        error = missed + longest * rod.accuracy.errors["positions"]
     return Largest("sag", value, "m", s, number, error)
 
 
-def _peak(rod: RodEquilibrium, of: Callable[[State], Array]) -> tuple[float, float, float]:
+def _peak(rod: RodEquilibrium, of: Callable[[Station], Array]) -> tuple[float, float, float]:
     """The largest value, where it is, and what it differs by if taken from fewer vertices."""
     fine = Between(rod)
     parts = np.linspace(0, 1, SAMPLES + 1)
@@ -222,7 +215,7 @@ def _peaks_of(values: Array) -> Any:
 
 
 def _climbed(
-    fine: Between, of: Callable[[State], Array], places: Array, i: int, value: float
+    fine: Between, of: Callable[[Station], Array], places: Array, i: int, value: float
 ) -> tuple[float, float]:
     """Up from a sample to the peak between its neighbours, on edges on which nothing jumps."""
     at = float(places[i])

@@ -9,18 +9,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import whole
-from pyrod.result.between import RodAt, state_at
+from pyrod.base.calls import spelled
+from pyrod.result.between import state_at
 from pyrod.result.equilibrium import Equilibrium
-from pyrod.result.peaks import Largest, largest_of_rod, sag_of_rod
+from pyrod.result.peaks import largest_along, sag_along
+from pyrod.result.told import Largest, RodAt
 from pyrod.rod.place import Place
-from pyrod.scene.loads import Gravity
 
 
+@spelled
 def at_place(result: Equilibrium, place: Place | ArrayLike, before: bool = False) -> RodAt:
     """A rod at a place, or the only rod at several arc lengths, between vertices, too.
 
     Parameters
     ----------
+    result : `Equilibrium`
+        The equilibrium.
     place : "start", "end", float or (k,) array [m], or (int, one of these)
         Arc lengths at rest; of several rods with the number of the rod.
     before : bool
@@ -49,11 +53,14 @@ def at_place(result: Equilibrium, place: Place | ArrayLike, before: bool = False
     return state_at(result.rods[number], s, before)  # type: ignore[arg-type]
 
 
+@spelled
 def largest_of_all(result: Equilibrium, quantity: str, rod: int | None = None) -> Largest:
     """The largest value of a quantity along all rods, between vertices too, and where it is.
 
     Parameters
     ----------
+    result : `Equilibrium`
+        The equilibrium.
     quantity : str
         See ``RodEquilibrium.largest``.
     rod : int
@@ -76,19 +83,22 @@ def largest_of_all(result: Equilibrium, quantity: str, rod: int | None = None) -
         "strains": 1.0,
     }
     if rod is None:
-        return _first(result, lambda one, number: largest_of_rod(one, quantity, number, scales))
+        return _first(result, lambda one, number: largest_along(one, quantity, number, scales))
     if not 0 <= whole(rod, "rod") < len(result.rods):
         raise ValueError(f"rod: there is no rod {rod}, the scene has {len(result.rods)}")
-    return largest_of_rod(result.rods[rod], quantity, rod, scales)
+    return largest_along(result.rods[rod], quantity, rod, scales)
 
 
+@spelled
 def largest_sag(result: Equilibrium, direction: ArrayLike | None = None) -> Largest:
     """How far a rod hangs off the chord between its ends, and where; of several the one with most.
 
     Parameters
     ----------
+    result : `Equilibrium`
+        The equilibrium.
     direction : (3,) array
-        Along which it is measured; default: where the scene has `Gravity`, its direction; else
+        Along which it is measured; default: where all has weight, along that; else
         across the chord, whichever way the rod goes.
 
     Returns
@@ -101,9 +111,10 @@ def largest_sag(result: Equilibrium, direction: ArrayLike | None = None) -> Larg
         The ends of a rod are in one place, or the direction is along its chord.
     """
     if direction is None:
-        weights = [load.acting for load in result.scene.loads if isinstance(load, Gravity)]
+        weights = [load.down for load in result.scene.loads if load.down is not None]
         direction = sum(weights) if weights else None
-    return _first(result, lambda rod, number: sag_of_rod(rod, direction, number))
+    longest = max(rod.rod.length for rod in result.rods)
+    return _first(result, lambda rod, number: sag_along(rod, direction, number, longest))
 
 
 def _first(result: Equilibrium, of: Callable[[Any, int], Largest]) -> Largest:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import inf
 from typing import NamedTuple
@@ -13,8 +12,7 @@ from numpy.typing import ArrayLike
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Lazy
 from pyrod.result.accuracy import Accuracy
-from pyrod.result.between import RodAt
-from pyrod.result.peaks import Largest
+from pyrod.result.told import Largest, RodAt
 from pyrod.rod.rod import Rod
 from pyrod.rotation import conjugate, log, multiply
 
@@ -116,7 +114,7 @@ class RodEquilibrium(Lazy, Immutable):
 
     @property
     def bending_radius(self) -> float:
-        """Smallest radius to which the rod is bent [m], between vertices too; straight: inf."""
+        """Smallest radius to which the rod is bent [m], between vertices, too; inf if straight."""
         bent = self.largest("bending").value
         return 1 / bent if bent > 0 else inf
 
@@ -125,15 +123,11 @@ class RodEquilibrium(Lazy, Immutable):
         """The rod at arc lengths, between its vertices, too."""
 
     @borrowed("pyrod.result.peaks:largest_of_rod")
-    def largest(  # type: ignore[empty-body]
-        self, quantity: str, number: int = 0, scales: Mapping[str, float] | None = None
-    ) -> Largest:
+    def largest(self, quantity: str) -> Largest:  # type: ignore[empty-body]
         """The largest value of a quantity along the rod, and where it is."""
 
     @borrowed("pyrod.result.peaks:sag_of_rod")
-    def sag(  # type: ignore[empty-body]
-        self, direction: ArrayLike | None = None, number: int = 0
-    ) -> Largest:
+    def sag(self, direction: ArrayLike | None = None) -> Largest:  # type: ignore[empty-body]
         """How far the rod hangs off the chord between its ends."""
 
     @borrowed("pyrod.notebook.views:rod_equilibrium_html")

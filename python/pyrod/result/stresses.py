@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyrod.base.immutable import Array
-from pyrod.result.between import State
+from pyrod.result.between import Station
+from pyrod.result.rods import RodEquilibrium
 from pyrod.rod.outline import Circle, Outline, Rectangle, Tube
 
-if TYPE_CHECKING:
-    from pyrod.result.rods import RodEquilibrium
 
-
-def normal_stress(rod: RodEquilibrium, at: State) -> Array:
+def normal_stress(rod: RodEquilibrium, at: Station) -> Array:
     """(k,) the largest of either sign in each section [Pa]."""
     axial, moments = at.material_backbone_force[:, 2], at.material_moment
 
@@ -29,23 +26,23 @@ def normal_stress(rod: RodEquilibrium, at: State) -> Array:
         strains = np.linalg.solve(_flexure(outline), acting.T)
         return np.abs(lever @ strains).max(axis=0)
 
-    return _by_outline(rod, at.s, one)
+    return _of_sections(rod, at.s, one)
 
 
-def torsional_stress(rod: RodEquilibrium, at: State) -> Array:
+def torsional_stress(rod: RodEquilibrium, at: Station) -> Array:
     """(k,) the largest shear stress of the torque in each section [Pa]."""
-    return _by_outline(
+    return _of_sections(
         rod, at.s, lambda outline, rows: np.abs(at.material_moment[rows, 2]) * _torsion(outline)
     )
 
 
-def equivalent_stress(rod: RodEquilibrium, at: State) -> Array:
+def equivalent_stress(rod: RodEquilibrium, at: Station) -> Array:
     """(k,) after von Mises, of normal and torsional stress at the rim of round sections [Pa]."""
-    _by_outline(rod, at.s, lambda outline, rows: np.full(len(rows), _refuse_angular(outline)))
+    _of_sections(rod, at.s, lambda outline, rows: np.full(len(rows), _refuse_angular(outline)))
     return np.sqrt(normal_stress(rod, at) ** 2 + 3 * torsional_stress(rod, at) ** 2)
 
 
-def _by_outline(rod: RodEquilibrium, s: Array, one: Callable[[Outline, Array], Array]) -> Array:
+def _of_sections(rod: RodEquilibrium, s: Array, one: Callable[[Outline, Array], Array]) -> Array:
     """Values of the sections at these arc lengths, those of one outline at once."""
     told = rod.rod._law.outlines(rod.rod.edge_lengths)
     edges = np.clip(np.searchsorted(rod.s, s, "right") - 1, 0, len(rod.s) - 2)

@@ -32,6 +32,8 @@ class Load(Part):
     follower = False
     grows = True
     """Whether there is more of it under larger loads."""
+    down: Array | None = None
+    """(3,) which way it pulls all that has a mass; of loads that do so."""
 
     @property
     def acting(self) -> Any:
@@ -198,6 +200,11 @@ class Gravity(Load):
     if TYPE_CHECKING:  # what is taken is more than what is kept
 
         def __init__(self, acceleration: ArrayLike = (0.0, 0.0, -9.81)) -> None: ...
+
+    @property
+    def down(self) -> Array:  # type: ignore[override]
+        """(3,) which way all masses are pulled."""
+        return self.acceleration
 
 
 @dataclass(frozen=True, eq=False)
