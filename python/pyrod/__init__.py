@@ -30,6 +30,7 @@ from pyrod.result.errors import (
     UnstableWarning,
 )
 from pyrod.result.rods import Reaction, RodEquilibrium, TendonEquilibrium
+from pyrod.result.told import Largest, RodAt
 from pyrod.rod.energy import Energy
 from pyrod.rod.outline import Outline
 from pyrod.rod.rod import Rod
@@ -85,6 +86,7 @@ __all__ = [
     "Gravity",
     "Hinge",
     "Joint",
+    "Largest",
     "Linearised",
     "Material",
     "Modes",
@@ -97,6 +99,7 @@ __all__ = [
     "PointMass",
     "Reaction",
     "Rod",
+    "RodAt",
     "RodEquilibrium",
     "Scene",
     "SceneFileError",

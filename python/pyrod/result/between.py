@@ -1,4 +1,4 @@
-"""What an equilibrium says between the vertices of a rod: theory, section 16."""
+"""What an equilibrium says between the vertices of a rod; see docs/accuracy.md."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def state_at(rod: RodEquilibrium, s: ArrayLike | str, before: bool = False) -> R
 
     Section forces, moments and curvatures are polynomials through those of the nearest vertices, on
     the same side of all places where something jumps; frames and positions go from vertex to vertex
-    along the curvature and the strain (docs/theory.md, section 16). So they are of the order of the
+    along the curvature and the strain (docs/accuracy.md). So they are of the order of the
     solution, and of a solve with a tolerance of order 8 in the distance of the vertices. At a
     vertex they are what the arrays say.
 
@@ -188,7 +188,7 @@ class Station:
         return r + share * missed_r[which], multiply(q, exp(share * missed_q[which]))
 
     def _gone(self, edge: Numbers, s: Array) -> tuple[Array, Array]:
-        """Along curvature and strain from the start of each edge: theory (52)."""
+        """Along curvature and strain from the start of each edge, in steps of order four."""
         rod, start = self.rod, self.rod.s[edge]
         r, q = rod.positions[edge], rod.vertex_frames[edge]
         step = ((s - start) / PARTS)[:, None]

@@ -159,7 +159,7 @@ def sag_along(
     number: int = 0,
     longest: float | None = None,
 ) -> Largest:
-    """The same of a rod of this number; ``longest``: to what errors are relative, if it is known."""
+    """The same of a rod of this number; ``longest``: to what errors are relative, if known."""
     start, end = rod.positions[[0, -1]]
     chord = end - start
     length = float(np.linalg.norm(chord))

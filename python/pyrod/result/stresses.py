@@ -1,4 +1,4 @@
-"""Stresses of cross-sections with an outline: theory, section 16."""
+"""Stresses of cross-sections with an outline; see docs/accuracy.md."""
 
 from __future__ import annotations
 
