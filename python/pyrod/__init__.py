@@ -5,9 +5,9 @@ quaternions ``(w, x, y, z)`` whose rotation matrix has the directors a1, a2, a3 
 the normal of the cross-section.
 """
 
+import typing as _typing
 from importlib import import_module as _import_module
 from importlib.metadata import version as _version
-from typing import TYPE_CHECKING as _TYPE_CHECKING
 
 from pyrod import curve, jax, rotation, torch
 from pyrod._core import Options
@@ -55,7 +55,7 @@ from pyrod.sweeps import Sweep, sweep
 
 __version__ = _version("pyrod")
 
-if not _TYPE_CHECKING:  # who would find every name
+if not _typing.TYPE_CHECKING:  # who would find every name
 
     def __getattr__(name: str) -> object:
         """Modules that are imported when they are first asked for."""

@@ -127,6 +127,12 @@ def no_attribute(thing: object, name: str) -> AttributeError:
 
     Without the thing itself, of which Python would make the same guess once more.
     """
+    held = getattr(type(thing), name, None)
+    if hasattr(held, "__get__"):  # a property that refuses, in words of its own
+        try:
+            held.__get__(thing, type(thing))
+        except AttributeError as error:
+            return error
     guess = "" if name[0] == "_" else meant(name, [n for n in dir(thing) if n[0] != "_"])
     words = f"{type(thing).__name__} has no {name!r}{guess}"
     return AttributeError(words, name=name, obj=None)

@@ -125,9 +125,8 @@ class Station:
 
     @cached_property
     def material_force(self) -> Array:
-        """(k, 3) the same in the frames."""
-        rod = self.rod
-        return self._in_frames(rod.vertex_force, rod.vertex_force_before)
+        """(k, 3) the same in the frames, which are known better than it would be by itself."""
+        return rotate(conjugate(self.frames), self.force)
 
     @cached_property
     def moment(self) -> Array:
@@ -151,16 +150,12 @@ class Station:
     @cached_property
     def material_backbone_force(self) -> Array:
         """(k, 3) the same in the frames."""
-        return self._in_frames(self.rod.backbone_force, self._backbone_before)
+        return rotate(conjugate(self.frames), self.backbone_force)
 
     @property
     def _backbone_before(self) -> Array:
         rod = self.rod
         return rod.backbone_force + (rod.vertex_force_before - rod.vertex_force)
-
-    def _in_frames(self, now: Array, before: Array) -> Array:
-        back = conjugate(self.rod.vertex_frames)
-        return taken(self._near, rotate(back, now), rotate(back, before))
 
     @property
     def positions(self) -> Array:

@@ -101,7 +101,7 @@ def largest_along(
         raise ValueError(f"quantity: there is no {quantity!r}{guess}")
     unit, of, judged_by = QUANTITIES[quantity]
     value, s, off = _peak(rod, lambda state: of(rod, state))
-    known = _KNOWN.get(quantity)
+    known = _KNOWN.get("curvature" if quantity == "bending" and _untwisted(rod) else quantity)
     value = value if known is None else float(getattr(rod, known))
     error = None
     if rod.accuracy is not None and scales is not None:
@@ -113,6 +113,10 @@ def largest_along(
         else:
             error = off + told[judged_by] * scales[judged_by]
     return Largest(quantity, value, unit, s, number, error)
+
+
+def _untwisted(rod: RodEquilibrium) -> bool:
+    return float(np.abs(rod.K[:, 2]).max()) <= ROUNDING * rod.largest_K
 
 
 def _stress_of_errors(

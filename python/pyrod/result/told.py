@@ -41,9 +41,9 @@ class RodAt(Immutable):
 class Largest(Immutable):
     """The largest value of a quantity along a rod."""
 
-    quantity: str
-    value: float
-    unit: str
+    quantity: str  #: its name
+    value: float  #: in its unit
+    unit: str  #: SI, empty of what has none
     s: float  #: arc length at rest where it is [m]
     rod: int  #: number of the rod in its scene
     error: float | None

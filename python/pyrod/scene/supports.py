@@ -12,7 +12,7 @@ import pyrod._core as _core
 from pyrod.base.arrays import not_negative, number, yes_or_no
 from pyrod.base.immutable import Array, frozen, vector
 from pyrod.rod.place import Place, checked
-from pyrod.rotation import frame_along, unit_frame
+from pyrod.rotation import frame_along, quaternions, unit_frame
 from pyrod.scene.part import Part
 
 MOST_TURNS = 10**6
@@ -56,7 +56,7 @@ def placed_frame(
         return frozen(frame_along(tangent, normal))
     if frame is None:
         return None
-    if np.shape(frame) == (3,):
+    if quaternions(frame, "frame").shape == (3,):
         raise ValueError(
             "frame: expected a quaternion (w, x, y, z) or a rotation matrix (3, 3), got 3 numbers; "
             "for directions of a3 and a1 there are tangent and normal"
