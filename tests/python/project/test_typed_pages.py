@@ -39,16 +39,22 @@ pyrod.solve(rod)
 """
 
 
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What is known of NumPy and the like is found out once."""
+    return tmp_path_factory.mktemp("mypy")
+
+
 def blocks(page: Path) -> list[str]:
     return re.findall(r"^```python\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE)
 
 
-def mypy(folder: Path, *options: str) -> list[str]:
+def mypy(folder: Path, cache: Path, *options: str) -> list[str]:
     """What is wrong with the programs of a folder."""
     run = subprocess.run(
         [
             *(sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports"),
-            *("--follow-imports=silent", "--cache-dir", str(folder / "cache"), *options),
+            *("--follow-imports=silent", "--cache-dir", str(cache), *options),
             *sorted(str(path) for path in folder.glob("*.py")),
         ],
         cwd=folder,
@@ -60,24 +66,24 @@ def mypy(folder: Path, *options: str) -> list[str]:
     return [line for line in run.stdout.splitlines() if ": error: " in line]
 
 
-def test_the_readme_is_strict(tmp_path: Path) -> None:
+def test_the_readme_is_strict(tmp_path: Path, cache: Path) -> None:
     for number, block in enumerate(blocks(ROOT / "README.md")):
         (tmp_path / f"block_{number}.py").write_text(block)
     assert len(list(tmp_path.glob("*.py"))) > 5
-    assert mypy(tmp_path) == []
+    assert mypy(tmp_path, cache) == []
 
 
-def test_pages_pass(tmp_path: Path) -> None:
+def test_pages_pass(tmp_path: Path, cache: Path) -> None:
     for page in PAGES:
         if code := blocks(page):
             (tmp_path / f"{page.parent.name}_{page.stem}.py").write_text("\n".join(code))
     assert len(list(tmp_path.glob("*.py"))) > 20
-    assert mypy(tmp_path, *UNTYPED) == []
+    assert mypy(tmp_path, cache, *UNTYPED) == []
 
 
-def test_wrong_names_are_seen(tmp_path: Path) -> None:
+def test_wrong_names_are_seen(tmp_path: Path, cache: Path) -> None:
     (tmp_path / "wrong.py").write_text(WRONG)
-    found = mypy(tmp_path)
+    found = mypy(tmp_path, cache)
     seen = [line.split(":")[1] for line in found]
     assert sorted(set(seen), key=int) == [str(line) for line in range(6, 13)], found
 
