@@ -127,7 +127,7 @@ def no_attribute(thing: object, name: str) -> AttributeError:
 
     Without the thing itself, of which Python would make the same guess once more.
     """
-    held = getattr(type(thing), name, None)
+    held: Any = getattr(type(thing), name, None)
     if hasattr(held, "__get__"):  # a property that refuses, in words of its own
         try:
             held.__get__(thing, type(thing))

@@ -73,6 +73,8 @@ class Lazy:
     ``_compiled`` is what has the attributes that are still missing, or None.
     """
 
+    _compiled: Any
+
     if not TYPE_CHECKING:  # who would find every name
         __getattr__ = made_later
 

@@ -50,7 +50,7 @@ def at_place(result: Equilibrium, place: Place | ArrayLike, before: bool = False
             f"place: the scene has {len(result.rods)} rods; say which, as at((0, 0.3)), or "
             "rods[0].at(0.3)"
         )
-    return state_at(result.rods[number], s, before)  # type: ignore[arg-type]
+    return state_at(result.rods[number], s, before)
 
 
 @spelled

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal, Union, get_args
+from typing import Any, Literal, Union, get_args
 
 import numpy as np
 
@@ -19,9 +19,10 @@ def checked(at: Place) -> Place:
     """The place as given, with numbers as floats; refuses what is none."""
     if isinstance(at, tuple):
         is_pair = len(at) == 2 and isinstance(at[0], (int, np.integer)) and at[0] >= 0
-        if not is_pair or isinstance(at[1], tuple):
+        where: Any = at[-1] if at else None
+        if not is_pair or isinstance(where, tuple):
             raise ValueError(f"at: expected (number of the rod, place), got {shortly(at)}")
-        return (int(at[0]), _on_one(at[1]))
+        return (int(at[0]), _on_one(where))
     return _on_one(at)
 
 

@@ -307,7 +307,7 @@ def on_other_edges(rod: Rod, h: Array, kept: list[float] | None) -> Rod:
 
 
 # What help and editors show is what the dataclass takes, not what `__new__` looks at.
-Rod.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
+Rod.__signature__ = inspect.Signature(
     [
         parameter
         for name, parameter in inspect.signature(Rod.__init__).parameters.items()

@@ -58,7 +58,8 @@ class Joint(Part):
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        if isinstance(self.points, (str, int, float)):
+        given: object = self.points
+        if isinstance(given, (str, int, float)):
             raise TypeError(
                 'points: expected places in one tuple, as ((0, "end"), (1, "start")), got '
                 f"{shortly(self.points)}"

@@ -30,11 +30,12 @@ class How(NamedTuple):
 
     def checked(self) -> How:
         """The same; refuses a tolerance that is none, and options that are none."""
-        if not isinstance(self.options, Options):
+        given: object = self.options
+        if not isinstance(given, Options):
             hint = ""
-            if isinstance(self.options, (int, float)):
-                hint = f"; a tolerance is given by name, tol={self.options}"
-            raise TypeError(f"options: expected Options(...), got {shortly(self.options)}{hint}")
+            if isinstance(given, (int, float)):
+                hint = f"; a tolerance is given by name, tol={given}"
+            raise TypeError(f"options: expected Options(...), got {shortly(given)}{hint}")
         return self if self.tol is None else self._replace(tol=checked_tolerance(self.tol))
 
 

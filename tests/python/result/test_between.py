@@ -76,6 +76,18 @@ def test_of_a_tolerance_they_are_of_high_order() -> None:
     assert (found[2] < 2e-8).all(), found
 
 
+def test_in_space_too() -> None:
+    """Bent two ways and twisted, so that neighbouring curvatures are not of one axis."""
+    section = Section(EI1=1.0, EI2=2.0, GJ=0.7, GA1=60.0, GA2=80.0, EA=150.0)
+    loads = [Force((2.0, 3.0, -1.0)), Moment((0, 0, 1.5))]
+    rods = [Rod.precurved(1.0, n, section, (2.0, 3.0, 4.0)) for n in (16, 128)]
+    coarse, fine = (pyrod.solve(Scene(rod, Clamp(), loads), tol=1e-9) for rod in rods)
+    at, inside = coarse.at(fine.s), slice(16, -16)
+    np.testing.assert_allclose(at.positions[inside], fine.positions[inside], atol=2e-8)
+    np.testing.assert_allclose(at.positions, fine.positions, atol=5e-7)
+    assert angle_between(at.frames, fine.vertex_frames)[inside].max() < 1e-6
+
+
 def test_at_the_vertices_they_are_what_the_arrays_say(cantilever: pyrod.Equilibrium) -> None:
     at = cantilever.at(cantilever.s)
     for name, told in (
