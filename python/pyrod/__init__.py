@@ -13,6 +13,7 @@ from pyrod.base.folders import get_cmake_dir, get_include
 from pyrod.curve._warning import CurveWarning
 from pyrod.document.errors import SceneFileError
 from pyrod.files import load, save
+from pyrod.files.curves import LoadedCurve, load_curves
 from pyrod.linear import Linearised, Modes, SingularEquilibrium, StabilityModes, linearised
 from pyrod.models.choice import Choice, smallest_model
 from pyrod.models.effects import Effect, effect, out_of_plane_index
@@ -71,6 +72,7 @@ __all__ = [
     "Hinge",
     "Joint",
     "Linearised",
+    "LoadedCurve",
     "Material",
     "Modes",
     "Moment",
@@ -109,6 +111,7 @@ __all__ = [
     "jax",
     "linearised",
     "load",
+    "load_curves",
     "out_of_plane_index",
     "rotation",
     "save",
