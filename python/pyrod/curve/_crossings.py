@@ -64,7 +64,7 @@ def crossings(a: Union[Polyline, ArrayLike], b: Union[Polyline, ArrayLike, None]
     ValueError
         They meet; more than 20000 edges, whose map takes gigabytes.
     """
-    first, second = _pair(a, b)
+    first, second = _both(a, b)
     if max(first.edges, second.edges) > _MOST:
         raise ValueError(
             f"crossings: a map of {first.edges} by {second.edges} edges is too large; take "
@@ -85,7 +85,7 @@ def average_crossing_number(
     a, b : `Polyline` or (n, 3) array [m]
         As for `crossings`.
     """
-    first, second = _pair(a, b)
+    first, second = _both(a, b)
     total = sum(float(np.abs(rows).sum()) for _, rows in _by_rows(first, second, first is second))
     return total / 2 if first is second else total
 
@@ -117,7 +117,7 @@ def local_writhe(arc: Polyline, window: float) -> Array:
 def _sliding(arc: Polyline, first: NDArray[np.intp], last: NDArray[np.intp]) -> Array:
     """Sums over the pairs of edges in [first, last), which move on; each pair comes in once and
     goes once."""
-    edges = _edges(arc)
+    edges = _ends_of_edges(arc)
     writhe, start, end = 0.0, int(first[0]), int(first[0])
     found = np.empty(len(first))
     for j, (new_start, new_end) in enumerate(zip(first.tolist(), last.tolist(), strict=True)):
@@ -137,13 +137,13 @@ def _with_others(arc: Polyline, edges: Edges, one: int, first: int, last: int) -
     others = np.arange(first, last) % n
     one %= n
     others = others[~_neighbours(arc, one, others)]
-    return float(_signed(_picked(edges, np.array([one])), _picked(edges, others)).sum())
+    return float(_signed(_some_of(edges, np.array([one])), _some_of(edges, others)).sum())
 
 
 # Pairs of edges -----------------------------------------------------------------------------------
 
 
-def _pair(
+def _both(
     a: Union[Polyline, ArrayLike], b: Union[Polyline, ArrayLike, None]
 ) -> tuple[Polyline, Polyline]:
     first = as_polyline(a, "a", closed=False)
@@ -152,20 +152,20 @@ def _pair(
 
 def _by_rows(a: Polyline, b: Polyline, same: bool) -> Iterator[tuple[NDArray[np.intp], Array]]:
     """Some rows of the map at a time, and which they are."""
-    of_a, of_b = _edges(a), _edges(b)
+    of_a, of_b = _ends_of_edges(a), _ends_of_edges(b)
     numbers = np.arange(b.edges)
     step = max(1, _AT_ONCE // b.edges)
     for at in range(0, a.edges, step):
         rows = np.arange(at, min(at + step, a.edges))
         met = _neighbours(a, rows[:, None], numbers) if same else None
-        yield rows, _signed(_picked(of_a, rows), of_b, met)
+        yield rows, _signed(_some_of(of_a, rows), of_b, met)
 
 
-def _edges(arc: Polyline) -> Edges:
+def _ends_of_edges(arc: Polyline) -> Edges:
     return arc.positions[: arc.edges], np.roll(arc.positions, -1, axis=0)[: arc.edges]
 
 
-def _picked(edges: Edges, numbers: NDArray[np.intp]) -> Edges:
+def _some_of(edges: Edges, numbers: NDArray[np.intp]) -> Edges:
     return edges[0][numbers], edges[1][numbers]
 
 

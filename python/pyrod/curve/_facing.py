@@ -44,14 +44,14 @@ def facing(arc: Polyline, directions: ArrayLike) -> FramedCurve:
         )
     d = np.broadcast_to(d, arc.positions.shape)
     behind = np.roll(d, -1, axis=0) if arc.closed else d[1:]
-    frames = _frames(arc.tangents, (d[: arc.edges] + behind) / 2, "edge")
+    frames = _looking(arc.tangents, (d[: arc.edges] + behind) / 2, "edge")
     if arc.closed:
         return FramedCurve(arc, frames)
     t = arc.tangents[[0, -1]].copy()
     for i, held in enumerate((arc.start_tangent, arc.end_tangent)):
         if held is not None:
             t[i] = held / np.linalg.norm(held)
-    ends = _frames(t, d[[0, -1]], "end")
+    ends = _looking(t, d[[0, -1]], "end")
     return FramedCurve(arc, frames, None, ends[0], ends[1])
 
 
@@ -93,7 +93,7 @@ def towards(
     return facing(arc, them.positions - arc.positions)
 
 
-def _frames(t: Array, d: Array, place: str) -> Array:
+def _looking(t: Array, d: Array, place: str) -> Array:
     """(n, 3, 3) with a3 = t and a1 in the plane of t and d."""
     across = d - np.einsum("ni,ni->n", d, t)[:, None] * t
     size = np.linalg.norm(across, axis=1)

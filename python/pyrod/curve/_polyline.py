@@ -216,13 +216,19 @@ class Polyline(Along, Winding, Shown, Immutable):
     ) -> Array:
         """(n,) torsion tau = alpha/edge length, Linn (4).
 
-        Of second order where neighbouring edges are nearly equal. Where their lengths vary at
-        random it does not converge; ``spacing="uneven"`` divides by the way from one binormal to
-        the next, a third of three edges, and does so everywhere, see docs/curves.md.
+        On an edge to an end that no tangent holds the torsion is 0.
 
-        ``measure`` "sauer" is sin(alpha)/length: of the same order, but no longer growing beyond
-        a right angle, so that it mistakes sharp turns for mild ones. On an edge to an end that no
-        tangent holds the torsion is 0; ``ends="continued"`` gives it that of the next edge.
+        Parameters
+        ----------
+        measure : `Measure` or "sauer"
+            "sauer" is sin(alpha)/length: of the same order, but no longer growing beyond a right
+            angle, so that it mistakes sharp turns for mild ones.
+        ends : "free" or "continued"
+            "continued" gives edges to free ends the torsion of the next edge.
+        spacing : "even" or "uneven"
+            "even" (default): of second order where neighbouring edges are nearly equal; where their
+            lengths vary at random it does not converge. "uneven" divides by the way from one
+            binormal to the next, a third of three edges, and converges: see docs/curves.md.
         """
         alpha = self.dihedral_angles
         if checked_measure(measure, "sauer") == "sauer":

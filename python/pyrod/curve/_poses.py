@@ -50,7 +50,7 @@ def from_poses(
     """
     if along not in ("x", "y", "z"):
         raise ValueError(f"along: expected 'x', 'y' or 'z', got {shortly(along)}")
-    positions, frames = _apart(poses, order)
+    positions, frames = _positions_and_frames(poses, order)
     turned = multiply(frames, as_frames(_cycle(along)[None], "along")[0])
     return FramedCurve.from_vertex_frames(
         Polyline(positions, closed=yes_or_no(closed, "closed")), turned
@@ -63,7 +63,7 @@ def _cycle(along: str) -> Array:
     return np.eye(3)[:, [(last + 1) % 3, (last + 2) % 3, last]]
 
 
-def _apart(poses: Any, order: Order | None) -> tuple[ArrayLike, Array]:
+def _positions_and_frames(poses: Any, order: Order | None) -> tuple[ArrayLike, Array]:
     """Positions, and frames as quaternions with the scalar first."""
     if isinstance(poses, tuple) and len(poses) == 2:
         positions, frames = poses
@@ -119,7 +119,7 @@ def places_with_frames(curve: FramedCurve, s: ArrayLike) -> tuple[Array, Array]:
     at = array(s, "s")
     positions = at_arc_lengths(curve.polyline, at)
     where = at.ravel() % curve.polyline.length if curve.polyline.closed else at.ravel()
-    return positions, _between(curve, where).reshape((*at.shape, 4))
+    return positions, _frames_at(curve, where).reshape((*at.shape, 4))
 
 
 def resampled_frames(curve: FramedCurve, edges: int, *, smooth: bool = True) -> FramedCurve:
@@ -134,16 +134,16 @@ def resampled_frames(curve: FramedCurve, edges: int, *, smooth: bool = True) -> 
     """
     old = curve.polyline
     arc = resampled(old, whole(edges, "edges"), smooth=smooth)
-    frames = _between(curve, arc.centre_arc_lengths * (old.length / arc.length))
+    frames = _frames_at(curve, arc.centre_arc_lengths * (old.length / arc.length))
     made = FramedCurve(arc, frames, None, curve.start_frame, curve.end_frame)
     a3 = rotate(curve.frames, [0.0, 0.0, 1.0])
     is_adapted = np.abs(a3 - old.tangents).max() < _ADAPTED
     return made.adapted() if is_adapted else made
 
 
-def _between(curve: FramedCurve, s: Array) -> Array:
+def _frames_at(curve: FramedCurve, s: Array) -> Array:
     """Frames at arc lengths in the one way round."""
-    at, q = _known(curve)
+    at, q = _places_of_frames(curve)
     piece = np.clip(np.searchsorted(at, s, side="right") - 1, 0, len(at) - 2)
     steps = log(multiply(conjugate(q[:-1]), q[1:]))
     part = (s - at[piece]) / np.diff(at)[piece]
@@ -151,7 +151,7 @@ def _between(curve: FramedCurve, s: Array) -> Array:
     return multiply(q[piece], exp(part[:, None] * steps[piece]))
 
 
-def _known(curve: FramedCurve) -> tuple[Array, Array]:
+def _places_of_frames(curve: FramedCurve) -> tuple[Array, Array]:
     """Where frames are known, so far that all of the curve lies between."""
     arc, q = curve.polyline, curve.frames
     at = arc.centre_arc_lengths

@@ -83,7 +83,7 @@ def _interpolated(arc: Polyline, u: Array, degree: int) -> SmoothCurve:
     r = arc.positions
     if arc.closed:
         spline = make(u, np.vstack([r, r[:1]]), degree, bc_type="periodic")
-        return _made(spline.t, spline.c, degree, True, u[:-1])
+        return _spline_of(spline.t, spline.c, degree, True, u[:-1])
     held = [t is not None for t in (arc.start_tangent, arc.end_tangent)]
     k = min(degree, len(r) + sum(held) - 1)  # few points: one polynomial
     first, last = ((degree + 1) // 2 - is_held for is_held in held)
@@ -94,10 +94,10 @@ def _interpolated(arc: Polyline, u: Array, degree: int) -> SmoothCurve:
         for t in (arc.start_tangent, arc.end_tangent)
     ]
     spline = make(u, r, k, t=knots, bc_type=ends if any(held) else None)
-    return _made(spline.t, spline.c, k, False, u)
+    return _spline_of(spline.t, spline.c, k, False, u)
 
 
-def _made(t: Any, c: Any, degree: int, closed: bool, u: Array) -> SmoothCurve:
+def _spline_of(t: Any, c: Any, degree: int, closed: bool, u: Array) -> SmoothCurve:
     knots, coefficients = (np.array(x, dtype=np.float64, order="C") for x in (t, c))
     return SmoothCurve(knots, coefficients, degree, closed, np.array(u))
 
@@ -129,7 +129,7 @@ def _near(arc: Polyline, sigma: Array, degree: int) -> SmoothCurve:
     filled = np.tile(points[0], (len(made.coefficients), 1))
     filled[:, varies] = made.coefficients
     back = np.linalg.inv(units).T
-    return _made(made.knots, filled @ back, made.degree, arc.closed, made.parameters)
+    return _spline_of(made.knots, filled @ back, made.degree, arc.closed, made.parameters)
 
 
 def _fitted(
@@ -142,14 +142,14 @@ def _fitted(
     k -= k > 1 and k % 2 == 0
     splprep = need("scipy.interpolate", "all").splprep
     (t, c, k), _ = splprep(points.T, w=weights, u=u, k=k, s=allowed, per=closed)
-    return _made(t, np.transpose(c), k, closed, u[:-1] if closed else u)
+    return _spline_of(t, np.transpose(c), k, closed, u[:-1] if closed else u)
 
 
 def _units(sigma: Array, n: int, varies: Array) -> tuple[Array, Array]:
     """What makes the noise of a point one in every direction, and the weights of the points."""
     weights = np.ones(n)
     if sigma.shape == (3, 3):
-        return np.asarray(np.linalg.inv(_root(sigma)), dtype=np.float64), weights
+        return np.asarray(np.linalg.inv(_square_root(sigma)), dtype=np.float64), weights
     if sigma.size != 1 and sigma.shape not in ((3,), (n,)):
         raise ValueError(
             f"noise: expected one, 3 (of x, y, z), {n} (of the vertices) or a covariance (3, 3), "
@@ -164,7 +164,7 @@ def _units(sigma: Array, n: int, varies: Array) -> tuple[Array, Array]:
     return np.eye(3), 1 / along
 
 
-def _root(covariance: Array) -> Array:
+def _square_root(covariance: Array) -> Array:
     try:
         return np.asarray(np.linalg.cholesky((covariance + covariance.T) / 2), dtype=np.float64)
     except np.linalg.LinAlgError:

@@ -69,14 +69,14 @@ def save_curve(curve: Union[Polyline, FramedCurve], path: str | Path, **options:
         writers[path.suffix](curve, temporary, **options)
 
 
-def _apart(curve: Union[Polyline, FramedCurve]) -> tuple[Polyline, Array | None]:
+def _arc_and_frames(curve: Union[Polyline, FramedCurve]) -> tuple[Polyline, Array | None]:
     if isinstance(curve, FramedCurve):
         return curve.polyline, curve.vertex_frames
     return curve, None
 
 
 def _save_table(curve: Union[Polyline, FramedCurve], path: Path) -> None:
-    arc, frames = _apart(curve)
+    arc, frames = _arc_and_frames(curve)
     columns = [arc.arc_lengths, arc.positions, arc.curvature(ends="continued")]
     columns += [] if frames is None else [frames]
     header = _HEADER + ("" if frames is None else _FRAMES)
@@ -129,7 +129,7 @@ def load_curves(path: str | Path, *, closed: bool | None = None) -> list[LoadedC
         one
         for order in _joined(_lines(mesh))
         for _, index in split_at_gaps(points[order])
-        for one in _made(points, data, order[index], closed)
+        for one in _curves_through(points, data, order[index], closed)
     ]
     if not curves:
         raise ValueError(f"{path}: there is no curve in it")
@@ -160,7 +160,7 @@ def _joined(lines: list[Indices]) -> list[Indices]:
     return [np.concatenate(chain) for chain in chains]
 
 
-def _made(
+def _curves_through(
     points: Array, data: dict[str, Array], order: Indices, closed: bool | None
 ) -> list[LoadedCurve]:
     """The curve through so many points, if there are two."""

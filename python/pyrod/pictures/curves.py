@@ -52,10 +52,10 @@ def curve_poly(
         raise ValueError("width: is of the ribbon of a FramedCurve, and not together with radius")
     pyvista = need("pyvista", "view")
     arc = curve.polyline if isinstance(curve, FramedCurve) else curve
-    columns = _columns(curve, arc)
+    columns = _point_data(curve, arc)
     n = len(arc.positions)
     if width is not None:
-        across = _size(width, "width") / 2 * columns["a1"]
+        across = _length_of(width, "width") / 2 * columns["a1"]
         points = np.vstack([arc.positions - across, arc.positions + across])
         start, end = _ends(arc)
         corners = np.column_stack([np.full(arc.edges, 4), start, end, end + n, start + n])
@@ -75,10 +75,10 @@ def curve_poly(
     order = [*range(n), *([0] if arc.closed else [])]
     line = pyvista.PolyData(arc.positions, lines=[len(order), *order])
     line.point_data.update(columns)
-    return line.tube(radius=_size(radius, "radius"), n_sides=sides)
+    return line.tube(radius=_length_of(radius, "radius"), n_sides=sides)
 
 
-def _columns(curve: Union[Polyline, FramedCurve], arc: Polyline) -> dict[str, Array]:
+def _point_data(curve: Union[Polyline, FramedCurve], arc: Polyline) -> dict[str, Array]:
     columns = {"s": arc.arc_lengths, "curvature": arc.curvature(ends="continued")}
     if isinstance(curve, FramedCurve):
         for name, axis in zip(("a1", "a2", "a3"), np.eye(3), strict=True):
@@ -92,7 +92,7 @@ def _ends(arc: Polyline) -> tuple[Indices, Indices]:
     return start, (start + 1) % len(arc.positions)
 
 
-def _size(value: Any, name: str) -> float:
+def _length_of(value: Any, name: str) -> float:
     made = number(value, name)
     if not 0 < made < np.inf:
         raise ValueError(f"{name}: must be positive, got {made}")

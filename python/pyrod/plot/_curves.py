@@ -67,7 +67,7 @@ def draw_curve(
         (line,) = ax.plot(*shown.T, **style)
         colour = line.get_color()
     else:
-        _draw_values(ax, shown, _of_edges(arc, colour_by), label, style, in_space)
+        _draw_coloured_edges(ax, shown, _of_edges(arc, colour_by), label, style, in_space)
         colour = "0.5"
     if isinstance(curve, FramedCurve) and in_space:
         _draw_side(curve, ax, r, colour)
@@ -92,7 +92,7 @@ def _of_edges(arc: Polyline, values: ArrayLike) -> Array:
     )
 
 
-def _draw_values(
+def _draw_coloured_edges(
     ax: Any, r: Array, values: Array, label: str, style: dict[str, Any], in_space: bool
 ) -> None:
     pieces = np.stack([r[:-1], r[1:]], axis=1)
