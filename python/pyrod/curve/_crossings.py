@@ -15,8 +15,9 @@ _AT_ONCE = 500_000
 """Pairs of edges that are looked at in one go."""
 _MOST = 20_000
 """Edges whose map still fits into a memory: 3.2 GB."""
+Numbers = NDArray[np.intp]
 Edges = tuple[Array, Array]
-"""(n, 3) starts and ends."""
+"""(..., 3) starts and ends."""
 
 
 def gauss_integral(
@@ -111,33 +112,35 @@ def local_writhe(arc: Polyline, window: float) -> Array:
         centres = np.concatenate([centres + turn * arc.length for turn in (-1, 0, 1)])
     first = np.searchsorted(centres, at - window / 2)
     last = np.searchsorted(centres, at + window / 2, side="right")
-    return _sliding(arc, first, last)
+    e = np.arange(first[0], last[-1])
+    comes = np.searchsorted(last, e, side="right")  # the stretch that has it first
+    come = _with_stretches(arc, e, first[np.maximum(comes - 1, 0)], e)
+    gone = np.arange(first[0], first[-1])
+    goes = np.searchsorted(first, gone, side="right")
+    go = _with_stretches(arc, gone, gone + 1, last[goes])
+    n = len(at)
+    change = np.bincount(comes, come, minlength=n) - np.bincount(goes, go, minlength=n)
+    return np.asarray(np.cumsum(change))
 
 
-def _sliding(arc: Polyline, first: NDArray[np.intp], last: NDArray[np.intp]) -> Array:
-    """Sums over the pairs of edges in [first, last), which move on; each pair comes in once and
-    goes once."""
-    edges = _ends_of_edges(arc)
-    writhe, start, end = 0.0, int(first[0]), int(first[0])
-    found = np.empty(len(first))
-    for j, (new_start, new_end) in enumerate(zip(first.tolist(), last.tolist(), strict=True)):
-        for number_ in range(end, new_end):
-            writhe += _with_others(arc, edges, number_, start, number_)
-        end = new_end
-        for number_ in range(start, new_start):
-            writhe -= _with_others(arc, edges, number_, number_ + 1, end)
-        start = new_start
-        found[j] = writhe
+def _with_stretches(arc: Polyline, one: Numbers, first: Numbers, last: Numbers) -> Array:
+    """Crossings of edges with those of a stretch each, [first, last), whose numbers go round."""
+    edges, n, counts = _ends_of_edges(arc), arc.edges, last - first
+    ends = np.cumsum(counts)
+    found = np.zeros(len(one))
+    start = 0
+    while start < len(one):
+        stop = int(np.searchsorted(ends, ends[start] + _AT_ONCE, side="right"))
+        stop = max(stop, start + 1)
+        row = np.repeat(np.arange(start, stop), counts[start:stop])
+        place = np.arange(len(row)) + (ends[start] - counts[start]) - (ends - counts)[row]
+        a, b = one[row] % n, (first[row] + place) % n
+        apart = ~_neighbours(arc, a, b)
+        row, a, b = row[apart], a[apart], b[apart]
+        signed = _checked(_signed(_some_of(edges, a), _some_of(edges, b)), edges[0][a])
+        found += np.bincount(row, signed, minlength=len(one))
+        start = stop
     return found
-
-
-def _with_others(arc: Polyline, edges: Edges, one: int, first: int, last: int) -> float:
-    """Crossings of one edge with those of a stretch, whose numbers go round."""
-    n = arc.edges
-    others = np.arange(first, last) % n
-    one %= n
-    others = others[~_neighbours(arc, one, others)]
-    return float(_signed(_some_of(edges, np.array([one])), _some_of(edges, others)).sum())
 
 
 # Pairs of edges -----------------------------------------------------------------------------------
@@ -150,55 +153,57 @@ def _both(
     return first, first if b is None else as_polyline(b, "b", closed=False)
 
 
-def _by_rows(a: Polyline, b: Polyline, same: bool) -> Iterator[tuple[NDArray[np.intp], Array]]:
+def _by_rows(a: Polyline, b: Polyline, same: bool) -> Iterator[tuple[Numbers, Array]]:
     """Some rows of the map at a time, and which they are."""
     of_a, of_b = _ends_of_edges(a), _ends_of_edges(b)
     numbers = np.arange(b.edges)
     step = max(1, _AT_ONCE // b.edges)
     for at in range(0, a.edges, step):
         rows = np.arange(at, min(at + step, a.edges))
-        met = _neighbours(a, rows[:, None], numbers) if same else None
-        yield rows, _signed(_some_of(of_a, rows), of_b, met)
+        start, end = _some_of(of_a, rows)
+        found = _signed((start[:, None], end[:, None]), of_b)
+        if same:
+            found[_neighbours(a, rows[:, None], numbers)] = 0.0
+        yield rows, _checked(found, start)
 
 
 def _ends_of_edges(arc: Polyline) -> Edges:
     return arc.positions[: arc.edges], np.roll(arc.positions, -1, axis=0)[: arc.edges]
 
 
-def _some_of(edges: Edges, numbers: NDArray[np.intp]) -> Edges:
+def _some_of(edges: Edges, numbers: Numbers) -> Edges:
     return edges[0][numbers], edges[1][numbers]
 
 
-def _neighbours(
-    arc: Polyline, one: int | NDArray[np.intp], others: NDArray[np.intp]
-) -> NDArray[np.bool_]:
+def _neighbours(arc: Polyline, one: Numbers, others: Numbers) -> NDArray[np.bool_]:
     """Whether edges share a vertex."""
     away = np.abs(one - others)
     return away <= 1 if not arc.closed else np.minimum(away, arc.edges - away) <= 1
 
 
-def _signed(a: Edges, b: Edges, without: NDArray[np.bool_] | None = None) -> Array:
-    """(n, m) solid angle of each pair over 2 pi, as in curve/link.hpp; 0 for pairs left out."""
-    corners = [b[i][None] - a[j][:, None] for i, j in ((0, 0), (0, 1), (1, 1), (1, 0))]
+def _signed(a: Edges, b: Edges) -> Array:
+    """Solid angle of each pair over 2 pi, as in curve/link.hpp: (...), or NaN where they meet."""
+    corners = [b[i] - a[j] for i, j in ((0, 0), (0, 1), (1, 1), (1, 0))]
     lengths = [np.linalg.norm(c, axis=-1) for c in corners]
     with np.errstate(divide="ignore", invalid="ignore"):
         A, B, C, D = (c / h[..., None] for c, h in zip(corners, lengths, strict=True))
-        normal = np.cross((a[1] - a[0])[:, None], (b[1] - b[0])[None])
-        V = -np.einsum("nmi,nmi->nm", corners[0], normal)
+        V = -_dot(corners[0], np.cross(a[1] - a[0], b[1] - b[0]))
         AC, scale = _dot(A, C), lengths[0] * lengths[2]
         z1 = 1 + _dot(A, B) + _dot(B, C) + AC + 1j * V / (scale * lengths[1])
         z2 = 1 + AC + _dot(C, D) + _dot(A, D) + 1j * V / (scale * lengths[3])
-        found = np.copysign(np.angle(z1 * z2), V) / np.pi
-    if without is not None:
-        found[without] = 0.0
-    if np.isnan(found).any():
-        i = int(np.argwhere(np.isnan(found))[0, 0])
+        return np.asarray(np.copysign(np.angle(z1 * z2), V) / np.pi)
+
+
+def _checked(found: Array, starts: Array) -> Array:
+    """No crossing is NaN; a row for each start of an edge."""
+    met = np.isnan(found)
+    if met.any():
         raise ValueError(
-            f"positions: the point {a[0][i]} is on both edges of a pair, so that crossings cannot "
-            "be counted; move the curve apart there"
+            f"positions: the edge from {starts[np.argwhere(met)[0, 0]]} has a vertex of another on "
+            "it, so that crossings cannot be counted; move the curve apart there"
         )
     return found
 
 
 def _dot(a: Array, b: Array) -> Array:
-    return np.asarray(np.einsum("nmi,nmi->nm", a, b))
+    return np.asarray(np.einsum("...i,...i->...", a, b))
