@@ -96,7 +96,7 @@ def timed(call: Callable[[], np.ndarray], repeats: int) -> tuple[float, np.ndarr
 
 
 def main() -> None:
-    exact = pyrod.solve(scene(None), tol=1e-12).tip
+    exact = pyrod.solve(scene(None), tol=1e-11).tip
     print(f"{'':34}{'ms':>9}{'error / L':>11}")
 
     def row(name: str, seconds: float, tip: np.ndarray) -> None:
