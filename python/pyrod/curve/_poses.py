@@ -109,7 +109,7 @@ def places_with_frames(curve: FramedCurve, s: ArrayLike) -> tuple[Array, Array]:
     ----------
     curve : `FramedCurve`
     s : (...) array [m]
-        Arc length of the `polyline`, from 0 to its length; that of a closed one goes round.
+        Arc length of its polyline, from 0 to the length; that of a closed one goes round.
 
     Returns
     -------

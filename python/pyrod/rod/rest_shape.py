@@ -19,7 +19,7 @@ def ribbon(positions: ArrayLike, frames: ArrayLike | None) -> FramedCurve:
     """
     polyline = Polyline(positions)
     if frames is None:
-        return FramedCurve(polyline, polyline.bishop().frames)
+        frames = polyline.bishop().frames
     q = as_frames(frames, "frames")
     check_count(q, polyline.edges, polyline.closed)
     check_reading(frames, q, polyline.tangents)

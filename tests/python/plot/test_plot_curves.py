@@ -5,7 +5,6 @@ from __future__ import annotations
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from mpl_toolkits.mplot3d import art3d
 from support import HELIX, KNOTS
 
 from pyrod import rotation
@@ -53,18 +52,10 @@ def test_curves_coloured_by_values(curve: Polyline) -> None:
 
 
 @pytest.mark.parametrize("curve", [ARC.bishop(), KNOT.closed_ribbon()], ids=repr)
-def test_framed_curves_have_a_fringe_along_a1(curve, monkeypatch: pytest.MonkeyPatch) -> None:
-    drawn = []
-
-    class Recorded(art3d.Poly3DCollection):
-        def __init__(self, faces: np.ndarray, **style: object) -> None:
-            drawn.append(faces)
-            super().__init__(faces, **style)
-
-    monkeypatch.setattr(art3d, "Poly3DCollection", Recorded)
+def test_framed_curves_have_a_fringe_along_a1(curve, drawn_faces: list[np.ndarray]) -> None:
     ax = curve.plot()
     ax.figure.canvas.draw()
-    (faces,) = drawn
+    (faces,) = drawn_faces
     arc = curve.polyline
     assert faces.shape == (arc.edges, 4, 3)
     across = faces[:, 3] - faces[:, 0]
