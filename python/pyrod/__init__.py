@@ -16,6 +16,7 @@ from pyrod.base.words import meant as _meant
 from pyrod.curve._warning import CurveWarning
 from pyrod.document.errors import SceneFileError
 from pyrod.files import load, save
+from pyrod.files.curves import LoadedCurve, load_curves
 from pyrod.linear import Linearised, Modes, SingularEquilibrium, StabilityModes, linearised
 from pyrod.models.choice import Choice, smallest_model
 from pyrod.models.effects import Effect, effect, out_of_plane_index
@@ -88,6 +89,7 @@ __all__ = [
     "Joint",
     "Largest",
     "Linearised",
+    "LoadedCurve",
     "Material",
     "Modes",
     "Moment",
@@ -127,6 +129,7 @@ __all__ = [
     "jax",
     "linearised",
     "load",
+    "load_curves",
     "out_of_plane_index",
     "rotation",
     "save",

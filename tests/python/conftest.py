@@ -6,6 +6,7 @@ Property tests draw the same examples in every run.
 from collections.abc import Iterator
 
 import matplotlib as mpl
+import numpy as np
 import pytest
 from hypothesis import settings
 from support import FLAT, ROUND, SOFT, solved
@@ -24,6 +25,22 @@ def close_figures() -> Iterator[None]:
 
     yield
     plt.close("all")
+
+
+@pytest.fixture
+def drawn_faces(monkeypatch: pytest.MonkeyPatch) -> list[np.ndarray]:
+    """The faces of all collections in space that are drawn from now on."""
+    from mpl_toolkits.mplot3d import art3d
+
+    drawn: list[np.ndarray] = []
+
+    class Recorded(art3d.Poly3DCollection):
+        def __init__(self, faces: np.ndarray, **style: object) -> None:
+            drawn.append(faces)
+            super().__init__(faces, **style)
+
+    monkeypatch.setattr(art3d, "Poly3DCollection", Recorded)
+    return drawn
 
 
 @pytest.fixture(scope="session")

@@ -11,21 +11,32 @@ and a closed one has n.
 """
 
 from pyrod.curve._conversions import bishop_from_frenet, frenet_from_bishop, without_repeats
+from pyrod.curve._crossings import average_crossing_number, crossings, gauss_integral
 from pyrod.curve._framed import FramedCurve
-from pyrod.curve._knots import Approach
+from pyrod.curve._gaps import split_at_gaps
+from pyrod.curve._knots import Approach, Nearest
 from pyrod.curve._link import linking_number
 from pyrod.curve._polyline import Polyline
+from pyrod.curve._poses import from_poses
+from pyrod.curve._spline import SmoothCurve
 from pyrod.curve._strains import Measure, reconstruct, strains
 
 __all__ = [
     "Approach",
     "FramedCurve",
     "Measure",
+    "Nearest",
     "Polyline",
+    "SmoothCurve",
+    "average_crossing_number",
     "bishop_from_frenet",
+    "crossings",
     "frenet_from_bishop",
+    "from_poses",
+    "gauss_integral",
     "linking_number",
     "reconstruct",
+    "split_at_gaps",
     "strains",
     "without_repeats",
 ]

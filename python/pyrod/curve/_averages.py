@@ -48,6 +48,35 @@ def vertex_tangents(arc: Polyline) -> Array:
     return mean / np.linalg.norm(mean, axis=1, keepdims=True)
 
 
+def circle_tangents(arc: Polyline) -> Array:
+    """Unit tangents at the vertices of the circles through three of them: of second order.
+
+    On any grid, also at free ends, which have the circle of the next vertex. An end that a tangent
+    holds has that.
+    """
+    t, h = arc.tangents, arc.edge_lengths
+    if arc.edges < 2:
+        return vertex_tangents(arc)
+    if arc.closed:
+        before, of_before = np.roll(t, 1, axis=0), np.roll(h, 1)
+        return _weighted(before, h, t, of_before)
+    inner = _weighted(t[:-1], h[1:], t[1:], h[:-1])
+    ends = [
+        2 * (edge @ beside) * edge - beside if held is None else held / np.linalg.norm(held)
+        for edge, beside, held in (
+            (t[0], inner[0], arc.start_tangent),
+            (t[-1], inner[-1], arc.end_tangent),
+        )
+    ]
+    return np.vstack([ends[0], inner, ends[1]])
+
+
+def _weighted(a: Array, of_a: Array, b: Array, of_b: Array) -> Array:
+    """Unit vectors: the sines of the angles to the chords of a circle are as their lengths."""
+    mean = of_a[:, None] * a + of_b[:, None] * b
+    return np.asarray(mean / np.linalg.norm(mean, axis=1, keepdims=True))
+
+
 def at_vertices(arc: Polyline, values: ArrayLike, *, ends: Ends = "free") -> Array:
     """Values given per edge, (n, ...), at the vertices: linear between the edge centres.
 

@@ -14,6 +14,25 @@ Ends = Literal["free", "continued"]
 """What a free end of an open arc has: no turn, or the values of its neighbours."""
 
 
+Spacing = Literal["even", "uneven"]
+"""What an angle about an edge is divided by: the edge, or the way between its binormals."""
+
+
+def torsion_lengths(arc: Arc, spacing: Spacing) -> Array:
+    """(n,) the lengths of the edges; of uneven ones, those between the places of two binormals.
+
+    A binormal belongs to the mean of the three vertices that tell it, or of those there are.
+    """
+    h = arc.edge_lengths
+    if spacing == "even":
+        return h
+    if spacing != "uneven":
+        raise ValueError(f"spacing: expected 'even' or 'uneven', got {shortly(spacing)}")
+    if arc.closed:
+        return (np.roll(h, 1) + h + np.roll(h, -1)) / 3
+    return (np.append(0.0, h[:-1]) + h + np.append(h[1:], 0.0)) / 3
+
+
 def with_ends(arc: Arc, values: Array, ends: Ends) -> Array:
     """Values at the vertices or of the edges; "continued" replaces those at free ends.
 
@@ -37,6 +56,7 @@ def is_torsion(arc: Arc, values: Array) -> bool:
     if arc.closed or values.ndim != 1:
         return False
     return any(
-        np.array_equal(values, arc.torsion(measure))
+        np.array_equal(values, arc.torsion(measure, spacing=spacing))
         for measure in ("log", "chord", "cayley", "sauer")
+        for spacing in ("even", "uneven")
     )

@@ -17,12 +17,13 @@ from pyrod.curve._polyline import Polyline
 from pyrod.curve._reading import between_vertices, check_count, check_reading, held, signed
 from pyrod.curve._sampling import edge_lengths as lengths_of
 from pyrod.curve._sampling import sampled
+from pyrod.curve._shown import Shown
 from pyrod.curve._strains import Measure, checked_measure, reconstruct, strains
 from pyrod.rotation import as_frame, rotate, to_matrix
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class FramedCurve(Immutable):
+class FramedCurve(Shown, Immutable):
     """A polyline with a frame on each edge: a discrete Cosserat curve (Linn 2020, sect. 5 and 6).
 
     A ribbon is a curve whose frames are adapted, a3 along the edge. Its K are the normal curvature
@@ -268,6 +269,14 @@ class FramedCurve(Immutable):
     def vertex_frames(self) -> Array:
         """Frames at the vertices, between those of the edges; at the ends those that hold."""
         return sealed(_core.curve.vertex_frames(*self._whole, closed=self.polyline.closed))
+
+    @borrowed("pyrod.curve._poses:places_with_frames")
+    def at(self, s: ArrayLike) -> tuple[Array, Array]:  # type: ignore[empty-body]
+        """Points of the curve and the frames there, by arc length."""
+
+    @borrowed("pyrod.curve._poses:resampled_frames")
+    def resampled(self, edges: int, *, smooth: bool = True) -> FramedCurve:  # type: ignore[empty-body]
+        """The same curve on as many edges of equal length; frames along the edges stay so."""
 
     @borrowed("pyrod.curve._ribbon:turned")
     def turned(self, angles: ArrayLike) -> FramedCurve:  # type: ignore[empty-body]

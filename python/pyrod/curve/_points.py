@@ -19,16 +19,27 @@ JOG = 0.1
 """[rad] Turn to and fro at its ends, beside that of its neighbours, that makes it suspect."""
 
 
-def positions_of(positions: ArrayLike) -> tuple[Array, bool]:
+def positions_of(positions: ArrayLike, name: str = "positions") -> tuple[Array, bool]:
     """(n, 3), and whether they had two columns, as points of the plane z = 0 have."""
-    r = array(positions, "positions")
+    r = array(positions, name)
     flat = r.ndim == 2 and r.shape[1] == 2
     if flat:
         r = np.column_stack([r, np.zeros(len(r))])
     if r.ndim != 2 or r.shape[1] != 3:
         hint = transposed(r, 2, 3)
-        raise ValueError(f"positions: expected shape (n, 3) or (n, 2), got {r.shape}{hint}")
+        raise ValueError(f"{name}: expected shape (n, 3) or (n, 2), got {r.shape}{hint}")
     return r, flat
+
+
+def refuse_gaps(r: Array) -> None:
+    """Points that are no numbers, as files have them where one is missing."""
+    there = np.isfinite(r).all(axis=1)
+    if not there.all():
+        j = int(np.argmin(there))
+        raise ValueError(
+            f"positions[{j}]: expected finite numbers, got {r[j]}; split_at_gaps(positions) gives "
+            "the pieces between the points that are missing"
+        )
 
 
 def direction(values: ArrayLike | None, name: str, flat: bool) -> Array | None:

@@ -13,23 +13,28 @@ import pyrod._core as _core
 from pyrod.base.arrays import number, precision_of, yes_or_no
 from pyrod.base.borrowed import borrowed
 from pyrod.base.immutable import Array, Immutable, Once, frozen, sealed
-from pyrod.curve._ends import Ends, with_ends
+from pyrod.curve._along import Along
+from pyrod.curve._ends import Ends, Spacing, torsion_lengths, with_ends
 from pyrod.curve._knots import Approach
 from pyrod.curve._points import (
     direction,
     positions_of,
     refuse_folds,
+    refuse_gaps,
     straight_angles,
     warn_of_near_repeats,
 )
+from pyrod.curve._shown import Shown
+from pyrod.curve._spline import SmoothCurve
 from pyrod.curve._strains import Measure, checked_measure
+from pyrod.curve._winding import Winding
 
 NO_ANGLE = 0.0
 """The default, for which nothing is turned."""
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Polyline(Immutable):
+class Polyline(Along, Winding, Shown, Immutable):
     """A polygonal arc of n edges in space, open or closed (Linn 2020, sect. 4 and A.3).
 
     Angles and curvatures are invariant under rigid motion. Values at vertices are those of the
@@ -92,6 +97,7 @@ class Polyline(Immutable):
             if not 0 <= resolution < np.inf:
                 raise ValueError(f"resolution: must be finite and not negative, got {resolution}")
         r, flat = positions_of(positions)
+        refuse_gaps(r)
         self._set(
             positions=frozen(r),
             closed=yes_or_no(closed, "closed"),
@@ -166,10 +172,6 @@ class Polyline(Immutable):
         """(n, 3) unit tangents of the edges."""
         return sealed(self._compiled.tangents())
 
-    @borrowed("pyrod.curve._averages:derivative")
-    def derivative(self, parameter: ArrayLike) -> Array:  # type: ignore[empty-body]
-        """(n, 3) derivative by a parameter, l/h: second order at the centres of the intervals."""
-
     # Frenet ---------------------------------------------------------------------------------------
 
     @cached_property
@@ -205,22 +207,35 @@ class Polyline(Immutable):
         """(n,) angles alpha [rad] about each edge from one binormal to the next, in (-pi, pi]."""
         return sealed(self._compiled.dihedral_angles(self.binormals))
 
-    def torsion(self, measure: Measure | Literal["sauer"] = "log", *, ends: Ends = "free") -> Array:
+    def torsion(
+        self,
+        measure: Measure | Literal["sauer"] = "log",
+        *,
+        ends: Ends = "free",
+        spacing: Spacing = "even",
+    ) -> Array:
         """(n,) torsion tau = alpha/edge length, Linn (4).
 
-        Of second order where neighbouring edges are nearly equal. Where their lengths vary at
-        random it does not converge, but sums of alpha do, see docs/curves.md.
+        On an edge to an end that no tangent holds the torsion is 0.
 
-        ``measure`` "sauer" is sin(alpha)/length: of the same order, but no longer growing beyond
-        a right angle, so that it mistakes sharp turns for mild ones. On an edge to an end that no
-        tangent holds the torsion is 0; ``ends="continued"`` gives it that of the next edge.
+        Parameters
+        ----------
+        measure : `Measure` or "sauer"
+            "sauer" is sin(alpha)/length: of the same order, but no longer growing beyond a right
+            angle, so that it mistakes sharp turns for mild ones.
+        ends : "free" or "continued"
+            "continued" gives edges to free ends the torsion of the next edge.
+        spacing : "even" or "uneven"
+            "even" (default): of second order where neighbouring edges are nearly equal; where their
+            lengths vary at random it does not converge. "uneven" divides by the way from one
+            binormal to the next, a third of three edges, and converges: see docs/curves.md.
         """
         alpha = self.dihedral_angles
         if checked_measure(measure, "sauer") == "sauer":
             turns = np.sin(alpha)
         else:
             turns = _core.curve.measured(alpha, measure)
-        return with_ends(self, turns / self.edge_lengths, ends)
+        return with_ends(self, turns / torsion_lengths(self, spacing), ends)
 
     @borrowed("pyrod.curve._transport:frenet")
     def frenet(self) -> Any:
@@ -241,44 +256,38 @@ class Polyline(Immutable):
     ) -> Any:
         """The arc with frames that do not twist, or that twist as told: a `FramedCurve`."""
 
-    @borrowed("pyrod.curve._link:holonomy")
-    def holonomy(self) -> float:  # type: ignore[empty-body]
-        """Angle [rad] in (-pi, pi] by which parallel transport once around turns a frame."""
-
     @borrowed("pyrod.curve._transport:closed_ribbon")
-    def closed_ribbon(self, link: int, normal: ArrayLike | None = None) -> Any:
-        """Frames that close and have a linking number: a `FramedCurve`."""
+    def closed_ribbon(self, link: int | None = None, normal: ArrayLike | None = None) -> Any:
+        """Frames that close, with the least twist or of a linking number: a `FramedCurve`."""
 
-    # Averages -------------------------------------------------------------------------------------
+    # Data -----------------------------------------------------------------------------------------
 
-    @property
-    @borrowed("pyrod.curve._averages:vertex_tangents")
-    def vertex_tangents(self) -> Array:  # type: ignore[empty-body]
-        """Unit tangents at the vertices that halve the turn; a free end has that of its edge."""
+    @borrowed("pyrod.curve._smooth:smooth_curve")
+    def smooth_curve(self, noise: ArrayLike = 0.0, *, degree: int = 5) -> SmoothCurve:  # type: ignore[empty-body]
+        """The spline through the vertices, or near them as their noise lets it: a `SmoothCurve`."""
 
-    @borrowed("pyrod.curve._averages:at_vertices")
-    def at_vertices(  # type: ignore[empty-body]
-        self, values: ArrayLike, *, ends: Ends = "free"
-    ) -> Array:
-        """Values given per edge, (n, ...), at the vertices: linear between the edge centres."""
+    @borrowed("pyrod.curve._resampling:resampled")
+    def resampled(self, edges: int, *, smooth: bool = True) -> Polyline:  # type: ignore[empty-body]
+        """As many edges, equal along the curve."""
 
-    @borrowed("pyrod.curve._averages:at_centres")
-    def at_centres(self, values: ArrayLike) -> Array:  # type: ignore[empty-body]
-        """Values given per vertex at the centres of the edges, (n, ...): the mean of two."""
+    @borrowed("pyrod.curve._resampling:smoothed")
+    def smoothed(self, noise: ArrayLike, edges: int | None = None) -> Polyline:  # type: ignore[empty-body]
+        """The arc without the noise of its positions."""
 
-    # Knots ----------------------------------------------------------------------------------------
+    # Two arcs -------------------------------------------------------------------------------------
 
-    @borrowed("pyrod.curve._link:writhe")
-    def writhe(self, threads: int = 0) -> float:  # type: ignore[empty-body]
-        """Writhe, exact for the polygon. O(n^2), on all cores unless ``threads`` says how many."""
+    @borrowed("pyrod.curve._facing:facing")
+    def facing(self, directions: ArrayLike) -> Any:
+        """Frames whose a1 looks as near to directions as can be: a `FramedCurve`."""
 
-    @borrowed("pyrod.curve._link:frenet_link")
-    def frenet_link(self, threads: int = 0) -> int:  # type: ignore[empty-body]
-        """Linking number of a closed arc with its Frenet ribbon: writhe plus total torsion/2 pi."""
-
-    @borrowed("pyrod.curve._link:self_approach")
-    def self_approach(self, threads: int = 0) -> Approach:  # type: ignore[empty-body]
-        """Smallest distance between two parts of the arc that are not near along it."""
+    @borrowed("pyrod.curve._facing:towards")
+    def towards(
+        self,
+        other: Union[Polyline, ArrayLike],
+        *,
+        by: Literal["number", "nearest"] = "number",
+    ) -> Any:
+        """The ribbon from this arc to another, a `FramedCurve`: a1 points there."""
 
     @borrowed("pyrod.curve._link:approach")
     def approach(  # type: ignore[empty-body]

@@ -51,7 +51,9 @@ def bishop(
     return framed if angles is NO_ANGLE else framed.turned(angles)
 
 
-def closed_ribbon(arc: Polyline, link: int, normal: ArrayLike | None = None) -> FramedCurve:
+def closed_ribbon(
+    arc: Polyline, link: int | None = None, normal: ArrayLike | None = None
+) -> FramedCurve:
     """Frames that close and have the linking number ``link``, twisted evenly along the arc.
 
     O(n^2), for the writhe.
@@ -60,12 +62,14 @@ def closed_ribbon(arc: Polyline, link: int, normal: ArrayLike | None = None) -> 
     ----------
     arc : `Polyline`
     link : int
+        Default: the one that needs the least twist, half a turn at most.
     normal : (3,) array
         See `bishop`.
     """
     require_closed(arc, "closed_ribbon")
-    link = whole(link, "link")
-    twist = 2 * np.pi * (link - arc.writhe()) * arc.cell_lengths / arc.length
+    writhe = arc.writhe()
+    link = round(writhe) if link is None else whole(link, "link")
+    twist = 2 * np.pi * (link - writhe) * arc.cell_lengths / arc.length
     worst = int(np.argmax(np.abs(twist)))
     if not abs(twist[worst]) < np.pi:
         raise ValueError(

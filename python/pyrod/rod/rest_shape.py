@@ -12,9 +12,14 @@ from pyrod.curve._reading import check_count, check_reading
 from pyrod.rotation import as_frames, continued, exp, multiply
 
 
-def ribbon(positions: ArrayLike, frames: ArrayLike) -> FramedCurve:
-    """Frames turned the shortest way so that a3 is the tangent, with continued signs."""
+def ribbon(positions: ArrayLike, frames: ArrayLike | None) -> FramedCurve:
+    """Frames turned the shortest way so that a3 is the tangent, with continued signs.
+
+    Without any those that do not twist.
+    """
     polyline = Polyline(positions)
+    if frames is None:
+        frames = polyline.bishop().frames
     q = as_frames(frames, "frames")
     check_count(q, polyline.edges, polyline.closed)
     check_reading(frames, q, polyline.tangents)

@@ -175,7 +175,7 @@ class Rod(Lazy, Immutable):
     def from_curve(
         cls,
         positions: ArrayLike,
-        frames: ArrayLike,
+        frames: ArrayLike | None,
         section: Sections,
         model: Model | None = None,
     ) -> Rod:
@@ -192,7 +192,7 @@ class Rod(Lazy, Immutable):
         frames : (n, 4) or (n, 3, 3) array
             Quaternions or matrices, the frame of each edge. Each is turned the shortest way that
             brings a3 into the edge; more than 0.5 rad is refused. The signs of quaternions do not
-            matter.
+            matter. None: those that do not twist (`pyrod.curve.Polyline.bishop`).
         section, model : see `Rod.straight`
         """
         shape = ribbon(positions, frames)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from mpl_toolkits.mplot3d import art3d
 from support import ROUND, SOFT, solved
 
 import pyrod
@@ -45,19 +44,11 @@ def test_spatial_rods_are_drawn_in_space(spatial: pyrod.Equilibrium) -> None:
 
 
 def test_the_fringe_lies_along_a1(
-    spatial: pyrod.Equilibrium, monkeypatch: pytest.MonkeyPatch
+    spatial: pyrod.Equilibrium, drawn_faces: list[np.ndarray]
 ) -> None:
-    drawn = []
-
-    class Recorded(art3d.Poly3DCollection):
-        def __init__(self, faces: np.ndarray, **style: object) -> None:
-            drawn.append(faces)
-            super().__init__(faces, **style)
-
-    monkeypatch.setattr(art3d, "Poly3DCollection", Recorded)
     ax = spatial.plot()
-    (faces,) = drawn
-    assert [type(c) for c in ax.collections] == [Recorded]
+    (faces,) = drawn_faces
+    assert [type(c).__name__ for c in ax.collections] == ["Recorded"]
     a1 = rotation.rotate(spatial.vertex_frames, (1, 0, 0))
     np.testing.assert_allclose(faces[:, 0], spatial.positions[:-1], rtol=0, atol=1e-15)
     np.testing.assert_allclose(faces[:, 3] - faces[:, 0], 0.03 * a1[:-1], rtol=0, atol=1e-15)

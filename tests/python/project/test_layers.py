@@ -126,6 +126,8 @@ BORROWING = (
     pyrod.Rod,
     pyrod.curve.Polyline,
     pyrod.curve.FramedCurve,
+    pyrod.curve.SmoothCurve,
+    *pyrod.curve.Polyline.__bases__,
 )
 
 

@@ -18,7 +18,7 @@ def is_rounded(told: str, printed: str) -> bool:
     return abs(float(told) - float(printed)) <= 0.501 * digit
 
 
-@pytest.mark.parametrize("page", ["critical_loads.md", "howto/buckling.md"])
+@pytest.mark.parametrize("page", ["critical_loads.md", "howto/buckling.md", "measured_curves.md"])
 def test_comments_tell_what_is_printed(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -10,6 +10,7 @@ from support import IDENTITY, SOFT, Z, angle_between, solved, unit
 from test_rod import some_curve
 
 from pyrod import Rod, rotation
+from pyrod.curve import Polyline
 
 RNG = np.random.default_rng(1)
 
@@ -24,6 +25,14 @@ def test_from_curve_keeps_the_shape(n: int) -> None:
     np.testing.assert_allclose(
         rod.edge_lengths, np.linalg.norm(np.diff(r, axis=0), axis=1), rtol=1e-15
     )
+
+
+def test_from_curve_without_frames_does_not_twist() -> None:
+    r, _ = some_curve(40)
+    rod = Rod.from_curve(r, None, SOFT)
+    np.testing.assert_allclose(rod.K0[:, 2], 0, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(rod.at_rest()[0], r, rtol=0, atol=1e-14)
+    assert rod == Rod.from_curve(r, Polyline(r).bishop().frames, SOFT)
 
 
 def test_from_curve_is_at_rest_in_its_place() -> None:
