@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from pyrod.base.arrays import finite
 from pyrod.base.calls import spelled
 from pyrod.base.immutable import Array, sealed
-from pyrod.result.nearest import Near, Numbers, nearest, screwed, taken
+from pyrod.result.nearest import Near, Numbers, rows_near, screwed, taken
 from pyrod.result.rods import RodEquilibrium
 from pyrod.result.told import RodAt
 from pyrod.rod.place import checked, on_rod
@@ -97,13 +97,13 @@ class Station:
     @cached_property
     def _near(self) -> list[Near]:
         """The vertices that values are taken from."""
-        return nearest(self.rod.s, self.s, self.edge, *self.of.piece(self.edge), self.of.points)
+        return rows_near(self.rod.s, self.s, self.edge, *self.of.piece(self.edge), self.of.points)
 
     @cached_property
     def _near_edges(self) -> list[Near]:
         centres = (self.rod.s[1:] + self.rod.s[:-1]) / 2
         first, last = self.of.piece(self.edge)
-        return nearest(centres, self.s, self.edge, first, last - 1, self.of.points - 1)
+        return rows_near(centres, self.s, self.edge, first, last - 1, self.of.points - 1)
 
     @cached_property
     def K(self) -> Array:

@@ -21,7 +21,7 @@ class Near(NamedTuple):
     weights: Array  #: (j, count), Lagrange's
 
 
-def nearest(
+def rows_near(
     x: Array, s: Array, edge: Numbers, first: Numbers, last: Numbers, points: int
 ) -> list[Near]:
     """For each place the nearest rows of those from first to last, whose values are at x."""
