@@ -14,12 +14,11 @@ import pytest
 
 import pyrod
 
-pytest.importorskip("mypy", reason="types are checked where pyrod[dev] is")
+pytest.importorskip("mypy")
 
 pytestmark = pytest.mark.outside
 
 ROOT = Path(__file__).parents[3]
-PACKAGE = Path(pyrod.__path__[0])
 PAGES = sorted((ROOT / "docs").rglob("*.md"))
 UNTYPED = ("--allow-untyped-defs", "--allow-untyped-calls", "--check-untyped-defs")
 """Functions of pages are short, and have no annotations; all else is strict."""
@@ -58,7 +57,7 @@ def mypy(folder: Path, cache: Path, *options: str) -> list[str]:
             *sorted(str(path) for path in folder.glob("*.py")),
         ],
         cwd=folder,
-        env={**os.environ, "MYPYPATH": str(PACKAGE.parent)},
+        env={**os.environ, "MYPYPATH": str(ROOT / "python")},
         capture_output=True,
         text=True,
     )
