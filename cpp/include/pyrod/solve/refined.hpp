@@ -39,7 +39,7 @@ class Refined {
     x = first_;
     const double off = skew ? solve_by_gmres(rest, b, x) : solve_by_gmres(no_rest, b, x);
     // of a singular matrix that is not quite, by rounding, the solution is anything, and huge
-    return size(x) <= most_ * size(first_) && off <= 1e-9 * size(x);
+    return size(x) <= most_ * size(first_) && off <= 1e-6 * size(x);
   }
 
   /// The same of several right sides, in place, if nothing is added to K.
