@@ -60,7 +60,8 @@ def write_html(
 
 def interactive(result: Equilibrium, colour_by: str, sides: int) -> Any:
     """The plotly figure: the solid, the centrelines, and a list of quantities to colour by."""
-    names = [name for name in measures() if name.partition(".")[0] not in LEFT_OUT]
+    left_out = LEFT_OUT if result.tendons else {*LEFT_OUT, "backbone_force"}
+    names = [name for name in measures() if name.partition(".")[0] not in left_out]
     if colour_by not in names:
         names = [*names, colour_by]
     mesh, objects = swept(result, sides), need("plotly.graph_objects", "html")
