@@ -114,6 +114,19 @@ def test_moments_and_forces_balance_between_vertices(cantilever: pyrod.Equilibri
     np.testing.assert_allclose(inside, at.force, atol=2e-2)
 
 
+def test_polynomials_end_at_kinks() -> None:
+    """K = M/EI is kinked where EI is, which no jump of the solution tells."""
+
+    def EI(s: float) -> float:
+        return 1 + 5 * abs(s - 0.37)
+
+    rod = Rod.straight(1.0, 64, lambda s: Section(EI(s), EI(s), 1.0))
+    result = pyrod.solve(Scene(rod, Clamp(), Force((P, 0, 0))), tol=1e-9)
+    s = np.linspace(0.3, 0.44, 57)
+    at = result.at(s)
+    np.testing.assert_allclose(at.K[:, 1], at.moment[:, 1] / [EI(x) for x in s], rtol=1e-6)
+
+
 def test_both_sides_of_what_jumps() -> None:
     loads = [Moment((0, 4, 0), at=0.5), Moment((0, -1, 0))]
     scene = Scene(Rod.straight(1.0, 16, Section(1.0, 1.0, 1.0)), Clamp(), loads)

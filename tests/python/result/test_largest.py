@@ -47,6 +47,17 @@ def test_a_peak_between_two_vertices_is_found_where_it_is() -> None:
     assert result.bending_radius == pytest.approx(1 / found.value, rel=1e-5)
 
 
+def test_just_before_a_jump_it_is_the_value_there() -> None:
+    """The bending moment of a beam rises to where a couple acts, and is less behind it."""
+    held_at = [pyrod.Hinge(), pyrod.Slider(along=(0, 0, 1))]
+    couple = Moment((0, 0.1, 0), at=0.75)
+    result = pyrod.solve(Scene(Rod.straight(1.0, 16, UNIT), held_at, couple, "planar"))
+    found = result.largest("bending moment")
+    assert found.s == 0.75
+    assert found.value == abs(result.at(0.75, before=True).moment[1])
+    assert found.value == pytest.approx(0.075, rel=1e-2)
+
+
 def test_errors_are_true() -> None:
     exact = pyrod.solve(arch(1024), tol=1e-10)
     for n in (16, 24, 40):
