@@ -31,8 +31,8 @@ def state_at(rod: RodEquilibrium, s: ArrayLike | str, before: bool = False) -> R
     Section forces, moments and curvatures are polynomials through those of the nearest vertices, on
     the same side of all places where something jumps; frames and positions go from vertex to vertex
     along the curvature and the strain (docs/accuracy.md). So they are of the order of the
-    solution, and of a solve with a tolerance of order 8 in the distance of the vertices. At a
-    vertex they are what the arrays say.
+    solution, and of a solve with a tolerance of order 8 in the distance of the vertices; what that
+    leaves is told as ``interpolation``. At a vertex they are what the arrays say.
 
     Parameters
     ----------
@@ -63,9 +63,12 @@ def state_at(rod: RodEquilibrium, s: ArrayLike | str, before: bool = False) -> R
         raise ValueError(
             f"s: must be an arc length on the rod, in [0, {high:g}], got {wanted[off].flat[0]:g}"
         )
-    found = Between(rod).at(np.atleast_1d(np.clip(wanted, low, high)), before)
-    told = [np.array(getattr(found, f.name)) for f in fields(RodAt)]
-    return RodAt(*sealed(tuple(told if wanted.ndim else [one[0] for one in told])))
+    fine, places = Between(rod), np.atleast_1d(np.clip(wanted, low, high))
+    found = fine.at(places, before)
+    missed = apart(found, fine.of_fewer().at(places, before))
+    names = [f.name for f in fields(RodAt) if f.name != "interpolation"]
+    told = [np.array(getattr(found, name)) for name in names]
+    return RodAt(*sealed((*(told if wanted.ndim else [one[0] for one in told]), missed)))
 
 
 class Between:
@@ -75,6 +78,10 @@ class Between:
         self.rod = rod
         self.points = points or (PLAIN if rod.accuracy is None else EXACT)
         self.breaks = breaks(rod)
+
+    def of_fewer(self) -> Between:
+        """The same from two vertices fewer, by which errors are told."""
+        return Between(self.rod, max(2, self.points - 2))
 
     def at(self, s: Array, before: bool = False) -> Station:
         """The rod at (k,) arc lengths on it; of a vertex behind it, or before."""
@@ -196,6 +203,15 @@ class Station:
             r = r + rotate(q, screwed(turn, along))
             q = multiply(q, exp(turn))
         return r, q
+
+
+def apart(one: Station, other: Station) -> dict[str, float]:
+    """Twice the largest difference of each kind, in its unit."""
+    turn = log(multiply(conjugate(one.frames), other.frames))
+    rows = {"positions": one.positions - other.positions, "frames": turn}
+    for name in ("K", "force", "moment"):
+        rows[name] = getattr(one, name) - getattr(other, name)
+    return {n: 2 * float(np.linalg.norm(r, axis=1).max(initial=0.0)) for n, r in rows.items()}
 
 
 def breaks(rod: RodEquilibrium) -> Numbers:

@@ -206,8 +206,7 @@ def _peak(rod: RodEquilibrium, of: Callable[[Station], Array]) -> tuple[float, f
     value, at, before = min(
         (one for one in found if one[0] >= most - ROUNDING * abs(most)), key=lambda one: one[1]
     )
-    coarse = Between(rod, max(2, fine.points - 2))
-    other = float(of(coarse.at(np.array([at]), before))[0])
+    other = float(of(fine.of_fewer().at(np.array([at]), before))[0])
     return value, at, abs(value - other)
 
 

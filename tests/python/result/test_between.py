@@ -127,6 +127,30 @@ def test_polynomials_end_at_kinks() -> None:
     np.testing.assert_allclose(at.K[:, 1], at.moment[:, 1] / [EI(x) for x in s], rtol=1e-6)
 
 
+@pytest.mark.parametrize("n", [12, 16, 24])
+def test_what_lies_between_vertices_is_told_with_its_error(n: int) -> None:
+    """Of a rod whose stiffness varies so much that the tolerance means little between vertices."""
+
+    def section(s: float) -> Section:
+        return Section(1.2 - s, 1 + s**2, 0.8 + np.sin(4 * s) / 2)
+
+    loads = [Force((2.0, 3.0, -1.0)), Moment((0, 0, 0.5))]
+    few, many = (
+        pyrod.solve(Scene(Rod.straight(1.0, edges, section), Clamp(), loads), tol=1e-9)
+        for edges in (n, 256)
+    )
+    for s in (S, S[40:60], 0.77):
+        at, exact = few.at(s), many.at(s)
+        told = at.interpolation
+        frames = angle_between(np.atleast_2d(at.frames), np.atleast_2d(exact.frames))
+        assert frames.max() <= told["frames"] + 1e-8
+        for name in ("positions", "K", "force", "moment"):
+            off = np.linalg.norm(getattr(at, name) - getattr(exact, name), axis=-1).max()
+            assert off <= told[name] + 1e-8, (name, off, told[name])
+    assert few.at(few.s).interpolation["K"] < 1e-12
+    assert few.at([]).interpolation["K"] == 0
+
+
 def test_both_sides_of_what_jumps() -> None:
     loads = [Moment((0, 4, 0), at=0.5), Moment((0, -1, 0))]
     scene = Scene(Rod.straight(1.0, 16, Section(1.0, 1.0, 1.0)), Clamp(), loads)
