@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from pyrod.base.arrays import whole
 from pyrod.curve._arc import require_closed
+from pyrod.curve._crossings import gauss_integral
 from pyrod.curve._knots import Approach, nearest_whole
 from pyrod.curve._points import inflections
 from pyrod.curve._polyline import Polyline, as_polyline
@@ -36,7 +37,7 @@ def linking_number(
     a, b = as_polyline(a, "a", closed=True), as_polyline(b, "b", closed=True)
     require_closed(a, "linking_number")
     require_closed(b, "linking_number")
-    return nearest_whole(a._compiled.gauss_integral(b._compiled, whole(threads, "threads")))
+    return nearest_whole(gauss_integral(a, b, threads))
 
 
 def frenet_link(arc: Polyline, threads: int = 0) -> int:
