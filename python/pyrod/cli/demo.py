@@ -1,4 +1,4 @@
-"""Compute four rods, compare them with exact solutions, time them and draw_panels them.
+"""Compute four rods, compare them with exact solutions, time them and draw them.
 
 Prints a table of errors and times, and writes a picture.
 """
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 NAME = "demo"
-HELP = "compute, check and draw_panels four rods"
+HELP = "compute, check and draw four rods"
 EDGES = (32, 64, 128, 256, 512, 1024)
 DRAWN = 64  # edges of the rods in the pictures
 SCENES = {
@@ -140,11 +140,16 @@ def draw_bend(ax: Any) -> None:
 
 
 def draw_errors(ax: Axes, curves: Points) -> None:
+    from matplotlib.ticker import LogLocator
+
     for (title, points), color in zip(curves.items(), ("C1", "C3", "C4", "C2"), strict=True):
         t, e = np.array(points).T
         ax.loglog(1e3 * t, e, "o-", color=color, markersize=4, label=title)
     for n, (t, e) in zip(EDGES, points, strict=True):
         ax.annotate(f" n = {n}", (1e3 * t, e), fontsize=6, color="0.4")
+    ax.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter("")
     ax.set(xlabel="time of one solve [ms], start straight", ylabel="largest position error / L")
     ax.set_title("Error against time")
     ax.grid(alpha=0.3, which="both")
