@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -70,7 +71,15 @@ def diagram(
     """
     depth = whole(depth, "depth")
     first = follow(family, start, stop, max_points=max_points, equilibrium=equilibrium)
-    branches, last = [first], [first]
+    branches = [first]
+    with suppress(KeyboardInterrupt):  # between branches; within one it ends that
+        _extend(branches, depth)
+    return Diagram(branches)
+
+
+def _extend(branches: list[Branch], depth: int) -> None:
+    """By those that cross, and those that cross these; until one is interrupted."""
+    last = branches[:]
     known: list[tuple[float, Array]] = []
     for _ in range(depth):
         crossing = [
@@ -83,10 +92,9 @@ def diagram(
         last = []
         for point, side in crossing:
             if branches[-1].ended == "interrupted":
-                return Diagram(branches)
+                return
             last.append(point.switch(side))
             branches.append(last[-1])
-    return Diagram(branches)
 
 
 def _is_new(point: SpecialPoint, known: list[tuple[float, Array]]) -> bool:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import _thread
 from dataclasses import replace
+from time import sleep
 
 import numpy as np
 import pytest
 from frames_that_snap import DEEP, arch, column
+from interrupt import needs_ctrl_c
 from loaded_bows import bow, with_force
 from support import FLAT, X, Y, Z
 
@@ -64,9 +67,8 @@ def test_progress_is_told_and_may_raise() -> None:
         follow(slow, 0.0, 12.0, max_points=9, progress=stop)
 
 
+@needs_ctrl_c
 def test_ctrl_c_keeps_what_was_found() -> None:
-    import _thread
-
     count = 0
 
     def family(value: float) -> Scene:
@@ -74,13 +76,37 @@ def test_ctrl_c_keeps_what_was_found() -> None:
         count += 1
         if count == 40:
             _thread.interrupt_main()
-        __import__("time").sleep(0.001)
+        sleep(0.001)
         return with_force(arch(16), value * X)
 
     branch = follow(family, 0.0, 12.0)
     assert branch.ended == "interrupted"
     assert len(branch) >= 1
     assert repr(branch).endswith(", interrupted)")
+
+
+@needs_ctrl_c
+def test_ctrl_c_keeps_the_branches_of_a_diagram() -> None:
+    scenes = column(16)
+    count, last = 0, 10**9
+
+    def family(value: float) -> Scene:
+        nonlocal count
+        count += 1
+        if count == last:
+            _thread.interrupt_main()
+        sleep(0.0001)
+        return with_force(scenes, -value * Z)
+
+    whole = pyrod.diagram(family, 0.0, 45.0)
+    calls, count = count, 0
+    last = calls // 2
+    some = pyrod.diagram(family, 0.0, 45.0)
+    assert 1 < len(some) < len(whole)
+    *ended, broken = some.branches
+    assert broken.ended == "interrupted"
+    for one, same in zip(ended, whole.branches, strict=False):
+        np.testing.assert_array_equal(one.values, same.values)
 
 
 def test_scenes_that_are_refused_end_a_path_with_a_reason() -> None:

@@ -57,7 +57,7 @@ def mypy(folder: Path, cache: Path, *options: str) -> list[str]:
             *sorted(str(path) for path in folder.glob("*.py")),
         ],
         cwd=folder,
-        env={**os.environ, "MYPYPATH": str(ROOT / "python")},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},  # where this pyrod is
         capture_output=True,
         text=True,
     )
