@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from functools import partial
+from math import cos, sin
 from statistics import median
 from time import perf_counter
 
@@ -28,14 +29,15 @@ TURNS = np.pi / 2 * np.array([0, 0, 1, 1])  # and what is added up to the tip
 FORCE = np.array([0.0, 0.05, 0.0])
 
 
-def offset(tendon: int, s: np.ndarray) -> np.ndarray:
-    angle = ANGLES[tendon] + TURNS[tendon] * np.asarray(s) / LENGTH
-    return DISTANCE * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+def offset(start: float, turn: float, s: float) -> tuple[float, float]:
+    angle = start + turn * s / LENGTH
+    return DISTANCE * cos(angle), DISTANCE * sin(angle)
 
 
 def scene(edges: int | None) -> pyrod.Scene:
     rod = pyrod.Rod.straight(LENGTH, edges, WIRE, "inextensible")
-    tendons = [pyrod.Tendon(partial(offset, i), T) for i, T in enumerate(TENSIONS)]
+    ways = [partial(offset, *way) for way in zip(ANGLES.tolist(), TURNS.tolist(), strict=True)]
+    tendons = [pyrod.Tendon(*one) for one in zip(ways, TENSIONS, strict=True)]
     return pyrod.Scene(rod, pyrod.Clamp(), pyrod.Force(FORCE), actuators=tendons)
 
 

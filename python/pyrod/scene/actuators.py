@@ -36,7 +36,8 @@ class Tendon(Actuator):
     ----------
     offset : (2,) or (n + 1, 2) array [m], or function
         From the axis of the rod along its directors a1 and a2: one for all, one per vertex of the
-        rod, straight between these in the rod's own frames, or a function of arc length.
+        rod, straight between these in the rod's own frames, or a function of arc length, which is
+        asked once for each.
     tension : float [N]
         Positive.
     length : float [m]
@@ -87,12 +88,8 @@ class Tendon(Actuator):
                 self.__dict__[name] = _arc_length(place, name)
         if not callable(self.offset):
             self._set(offset=_pairs(frozen(self.offset, "offset")))
-
-    def _given(self) -> list[Any]:
-        offset, *others = super()._given()
-        if callable(offset):
-            return [lambda s: _pair(offset(s)), *others]
-        return [offset, *others]
+        elif not isinstance(self.offset, _Once):
+            self._set(offset=_Once(self.offset))
 
     @property
     def given(self) -> str:
@@ -104,7 +101,7 @@ class Tendon(Actuator):
     def offsets(self, s: Array) -> Array:
         """(len(s), 2) at these arc lengths; of one per vertex, at as many vertices."""
         if callable(self.offset):
-            return np.array([_pair(self.offset(at)) for at in s])
+            return np.array([self.offset(at) for at in s.tolist()])
         return np.array(np.broadcast_to(self.offset, (len(s), 2)))
 
     def on(self, given: tuple[Rod, ...], now: tuple[Rod, ...]) -> Tendon:
@@ -133,7 +130,7 @@ class Tendon(Actuator):
 
 def sampled_tendon(tendon: Tendon, rods: tuple[Rod, ...]) -> Tendon:
     """The same with a function replaced by a table of it, exact where the rod's grid asks it."""
-    if not callable(tendon.offset) or isinstance(tendon.offset, _Table):
+    if not isinstance(tendon.offset, _Once) or isinstance(tendon.offset.function, _Table):
         return tendon
     s = rods[tendon.rod].arc_lengths
     quarters = s[:-1, None] + np.diff(s)[:, None] * np.arange(4) / 4
@@ -149,6 +146,32 @@ def polygonal_tendon(tendon: Tendon, rods: tuple[Rod, ...]) -> Tendon:
     if not callable(tendon.offset):
         return tendon
     return replace(tendon, offset=tendon.offsets(rods[tendon.rod].arc_lengths))
+
+
+class _Once:
+    """A function of arc length that is asked once for each, whatever else of a tendon changes."""
+
+    def __init__(self, function: Callable[[float], ArrayLike]) -> None:
+        self.function = function
+        self._known: dict[float, Array] = {}
+
+    def __call__(self, s: float) -> Array:
+        known = self._known.get(s)
+        if known is None:
+            known = self._known[s] = _pair(self.function(s))
+        return known
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Once) and self.function == other.function
+
+    def __hash__(self) -> int:
+        return hash(self.function)
+
+    def __reduce__(self) -> tuple[type, tuple[Any]]:
+        return _Once, (self.function,)
+
+    def __repr__(self) -> str:
+        return repr(self.function)
 
 
 @dataclass(frozen=True, eq=False)

@@ -186,3 +186,26 @@ def test_a_tendon_does_not_end_in_a_ball_joint_that_is_held_for_another_rod():
     held[1] = Clamp(at=(1, "start"))
     with pytest.raises(ValueError, match="ends, or has a kink, in a ball joint"):
         pyrod.solve(replace(beside, supports=held))
+
+
+def test_a_function_is_asked_once_for_each_arc_length() -> None:
+    asked: list[float] = []
+
+    def routing(s: float) -> tuple[float, float]:
+        asked.append(s)
+        return helix(s)
+
+    tendon = Tendon(routing, 1.0)
+    scene = Scene(ROD, Clamp(), Force((0.1, 0.2, 0)), actuators=[tendon])
+    pyrod.solve(scene)
+    assert 0 < len(asked) == len({*asked})
+    count = len(asked)
+    solver = Solver(scene)
+    for tension in (1.1, 1.2):
+        found = solver.solve({"actuators.0.tension": tension})
+    assert len(asked) == count
+    again = Scene(ROD, Clamp(), Force((0.1, 0.2, 0)), actuators=[Tendon(helix, 1.2)])
+    np.testing.assert_allclose(found.positions, pyrod.solve(again).positions, atol=1e-12)
+    assert replace(tendon, tension=2.0).offset == tendon.offset == Tendon(routing, 1.0).offset
+    assert tendon.offset != Tendon(helix, 1.0).offset
+    assert pickle.loads(pickle.dumps(Tendon(helix, 1.0))).offset == Tendon(helix, 1.0).offset
